@@ -1,0 +1,34 @@
+// The layers of an environment: what each may be, and the check that it is that.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lares::environment {
+
+// semantic, features, octomap, grid, cloud, trajectory
+bool IsLayerName(std::string_view name);
+const std::vector<std::string>& LayerNames();
+
+// What a check found out about a layer's file.
+struct LayerFacts {
+  std::string media_type;
+  std::map<std::string, std::string> facts;  // "resolution_m": "0.08", "objects": "6"
+  std::optional<std::array<double, 6>> bounds_m;  // min x y z, max x y z
+};
+
+// Reads the whole file in constant memory where the format allows and says what it is. Throws
+// kInvalid with file, line or byte offset when it is not what layer `name` must be; kUnsupported
+// for an unknown layer name. `semantic` is only recognised as RDF here: its content is checked by
+// the knowledge. octomap: .bt/.ot, every node read, size as the header says. grid: a tar or
+// YAML+PGM pair as one tar (map_server YAML naming the PGM). cloud: PLY header and byte count,
+// finite coordinates. trajectory: TUM rows, unit quaternions, rising times. features: any bytes.
+LayerFacts CheckLayer(std::string_view name, const std::filesystem::path& file,
+                      std::string_view file_name);
+
+}  // namespace lares::environment

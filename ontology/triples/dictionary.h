@@ -1,0 +1,43 @@
+// Terms as 32-bit ids.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "ontology/rdf/term.h"
+
+namespace lares::rdf {
+
+// Id of a term in one Dictionary; 0 is no term and stands for "any" in patterns.
+enum class TermId : std::uint32_t {};
+inline constexpr TermId kAnyTerm{0};
+
+// Append-only: an id, once given, and the TermView behind it stay valid for the dictionary's life.
+// All members are thread-safe; reads of known ids take no lock.
+class Dictionary {
+ public:
+  Dictionary();
+  ~Dictionary();
+  Dictionary(const Dictionary&) = delete;
+  Dictionary& operator=(const Dictionary&) = delete;
+
+  TermId Intern(const TermView& term);
+  TermId InternIri(std::string_view iri) { return Intern({TermKind::kIri, iri, {}, {}}); }
+  std::optional<TermId> Find(const TermView& term) const;
+  std::optional<TermId> FindIri(std::string_view iri) const {
+    return Find({TermKind::kIri, iri, {}, {}});
+  }
+  // Throws kInternal for an id that this dictionary never gave.
+  TermView Get(TermId id) const;
+  std::size_t size() const;
+  std::size_t memory_bytes() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace lares::rdf

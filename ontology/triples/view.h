@@ -1,0 +1,106 @@
+// Immutable triples in layers, shared by any number of readers.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ontology/triples/dictionary.h"
+#include "ontology/triples/graph.h"
+
+namespace lares::rdf {
+
+// kAnyTerm matches everything.
+struct Pattern {
+  TermId subject{};
+  TermId predicate{};
+  TermId object{};
+};
+
+enum class Origin { kAll, kAsserted };
+
+// A contradiction that the rules found: which rule, and the triples it rests on.
+struct Clash {
+  std::string rule;  // "cax-dw"
+  std::vector<Triple> premises;
+};
+
+// One set of triples, sorted three ways, with who asserted which. Built once, never changed.
+class Layer {
+ public:
+  // `inferred` must not repeat an asserted triple; duplicates are dropped.
+  Layer(std::vector<Graph> graphs, std::vector<Triple> inferred, std::vector<Clash> clashes);
+
+  std::size_t size() const { return spo_.size(); }
+  std::size_t asserted_size() const { return asserted_.size(); }
+  std::size_t memory_bytes() const;
+  const std::vector<Graph>& graphs() const { return graphs_; }
+  const std::vector<Clash>& clashes() const { return clashes_; }
+
+  // The contiguous run of triples that match, in one of the three orders. Pattern lookup is two
+  // binary searches.
+  std::span<const Triple> Range(const Pattern& pattern) const;
+  bool Contains(const Triple& triple) const;
+  bool IsAsserted(const Triple& triple) const;
+
+ private:
+  std::vector<Graph> graphs_;
+  std::vector<Triple> asserted_;  // sorted
+  std::vector<Clash> clashes_;
+  // Range() must return matching triples only: (S P O), (S P ?), (S ? ?) and (? ? ?) from spo_;
+  // (? P O) and (? P ?) from pos_; (? ? O) and (S ? O) from osp_. Each holds full triples.
+  std::vector<Triple> spo_, pos_, osp_;
+};
+
+// A stack of layers over one dictionary; no triple is in two of them. A View is a value: copying it
+// pins its layers (a few shared_ptr), dropping it frees what nobody else holds.
+class View {
+ public:
+  explicit View(std::shared_ptr<Dictionary> dictionary) : dictionary_(std::move(dictionary)) {}
+
+  Dictionary& dictionary() const { return *dictionary_; }
+  const std::shared_ptr<Dictionary>& shared_dictionary() const { return dictionary_; }
+  const std::vector<std::shared_ptr<const Layer>>& layers() const { return layers_; }
+  View With(std::shared_ptr<const Layer> top) const {
+    View view = *this;
+    view.layers_.push_back(std::move(top));
+    return view;
+  }
+
+  bool Contains(const Triple& triple) const;
+  bool IsAsserted(const Triple& triple) const;
+  std::size_t size() const;
+  // Upper bound on the number of answers, in O(log n).
+  std::size_t Estimate(const Pattern& pattern) const;
+
+  // Calls `visit(triple)` for each answer until it returns false; true when all were visited.
+  template <typename Visit>
+  bool ForEach(const Pattern& pattern, Visit&& visit, Origin origin = Origin::kAll) const {
+    for (const auto& layer : layers_) {
+      for (const Triple& triple : layer->Range(pattern)) {
+        if (origin == Origin::kAsserted && !layer->IsAsserted(triple)) continue;
+        if (!visit(triple)) return false;
+      }
+    }
+    return true;
+  }
+
+  // Conveniences over ForEach, in no particular order.
+  std::vector<Triple> Match(const Pattern& pattern, Origin origin = Origin::kAll) const;
+  std::vector<TermId> Objects(TermId subject, TermId predicate) const;
+  std::vector<TermId> Subjects(TermId predicate, TermId object) const;
+  // The IRI as the topmost document that mentions it wrote it; the canonical one otherwise.
+  std::string AsWritten(TermId iri) const;
+  // rdfs:label without a language tag or "en" preferred; otherwise the local name.
+  std::string Label(TermId term) const;
+
+ private:
+  std::shared_ptr<Dictionary> dictionary_;
+  std::vector<std::shared_ptr<const Layer>> layers_;
+};
+
+}  // namespace lares::rdf

@@ -1,0 +1,27 @@
+// OWL 2 RL by materialisation: what follows from a layer and everything below it.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+#include "ontology/triples/view.h"
+
+namespace lares::owl {
+
+struct Options {
+  std::size_t max_inferred = 10'000'000;  // triples of one layer; beyond it kTooLarge
+  std::size_t max_clashes = 100;          // contradictions kept; later ones are only counted
+};
+
+// The closure of `below` ∪ `graphs` under the OWL 2 RL/RDF rules (W3C OWL 2 Profiles, tables 4–9),
+// less what `below` holds already: semi-naive, so each new triple rests on at least one of `graphs`
+// (or, when `below` is empty, on the rules' axioms). `below` must be closed itself. Contradictions
+// do not stop it: they are listed in the layer. Throws kTooLarge, kTimeout (stop requested).
+std::shared_ptr<const rdf::Layer> Materialise(const rdf::View& below,
+                                              std::vector<rdf::Graph> graphs,
+                                              const Options& options = {},
+                                              std::stop_token stop = {});
+
+}  // namespace lares::owl

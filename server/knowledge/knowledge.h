@@ -1,0 +1,151 @@
+// The knowledge service: documents of the store become views, views answer questions.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "mapping/semantic/map_object.h"
+#include "ontology/rdf/aliases.h"
+#include "ontology/rdf/document.h"
+#include "ontology/triples/view.h"
+#include "reasoner/places/prior.h"
+#include "reasoner/prolog/engine_pool.h"
+#include "recipes/match/match.h"
+#include "recipes/plan/plan.h"
+#include "server/store/store.h"
+
+namespace lares::server {
+
+struct PutRequest {
+  store::DocumentKind kind = store::DocumentKind::kOntology;
+  std::string id;          // empty: the file name's stem
+  std::string media_type;  // may be empty: guessed
+  std::string file_name;
+  std::string bytes;
+  bool recover = false;
+  std::string prior_format;  // priors: "omics" or "tsv"
+  std::string if_match;
+};
+
+struct PutAnswer {
+  store::DocumentInfo document;
+  std::vector<rdf::Remark> remarks;   // repairs and warnings with places
+  std::vector<recipes::Task> tasks;   // recipes
+  std::vector<recipes::Resource> robots;  // robots
+  std::vector<std::string> warnings;  // without a place: absent imports, contradictions, …
+  std::size_t statements = 0;
+  std::size_t inferred = 0;
+};
+
+struct PlanRequest {
+  std::string task;         // document id, IRI, label or local name
+  std::string robot;        // likewise
+  std::string environment;  // id; empty for none
+  int environment_version = 0;  // 0: newest
+  bool strict = false;
+  std::map<std::string, std::string> templates;  // answers to choices: step → template
+};
+
+struct PlanAnswer {
+  recipes::PlanResult result;
+  // When the match is not feasible: every stored robot that could, by id.
+  std::vector<recipes::Resource> capable_robots;
+};
+
+struct SeenObject {
+  std::string environment;
+  int version = 0;
+  semantic::MapObject object;
+};
+
+struct WhereRequest {
+  std::string object;       // IRI, local name or label of a class
+  std::string prior;        // name of a table; empty: our own
+  std::string environment;  // id; empty for none
+  int environment_version = 0;
+};
+
+struct WhereAnswer {
+  recipes::Resource object;
+  std::string prior;                 // name of the table that answered
+  std::string prior_title;
+  std::vector<SeenObject> seen;      // mapped instances of the class or a subclass, newest first
+  struct Place {
+    recipes::Resource place;
+    double probability = 0;
+    double support = 0;
+  };
+  std::vector<Place> rooms;          // ranked
+  std::vector<Place> furniture;      // ranked; empty when the table has none
+};
+
+struct ObjectModelInfo {
+  store::DocumentInfo document;
+  recipes::Resource model_class;     // what it is a model of
+};
+
+// All members are thread-safe. Readers never wait for a writer: they use the views that stood when
+// they began. Faults are Errors.
+class Knowledge {
+ public:
+  // Loads the modules of the search path and the stored ontology documents. Recipes, robots and
+  // environments load when asked for.
+  Knowledge(store::Store& store, prolog::EnginePool& engines);
+  ~Knowledge();
+
+  // Validates whole, stores, and only then makes it visible.
+  PutAnswer Put(const PutRequest& request);
+  void Remove(store::DocumentKind kind, const std::string& id);
+
+  // As Store::PutVersion, after the semantic layer (when it changes) was read, closed and its map
+  // objects checked. Warnings: contradictions, absent imports.
+  struct VersionAnswer {
+    store::EnvironmentVersion version;
+    std::vector<rdf::Remark> remarks;
+    std::vector<std::string> warnings;
+    std::vector<semantic::MapObject> objects;
+  };
+  VersionAnswer PutVersion(const store::NewVersion& version);
+  // The semantic layer's document in another format.
+  std::string RenderSemantic(const std::string& environment, int version, rdf::Format format);
+  std::vector<semantic::MapObject> MapObjects(const std::string& environment, int version);
+
+  PlanAnswer MakePlan(const PlanRequest& request);
+  // Every stored robot that could do `task`.
+  std::vector<recipes::Resource> CapableRobots(const std::string& task, bool strict);
+  WhereAnswer Where(const WhereRequest& request);
+  std::vector<ObjectModelInfo> ObjectModels(const std::string& class_name);  // empty: all
+
+  // Resolves a name against stored documents: id, then IRI, then local name, then label. Throws
+  // kNotFound with similar names, kAmbiguous listing the matches.
+  struct Resolved {
+    store::DocumentInfo document;
+    std::string target_iri;
+  };
+  Resolved Resolve(store::DocumentKind kind, const std::string& name);
+  // A class of the catalogue by IRI, prefixed name, local name or label.
+  recipes::Resource ResolveClass(const std::string& name);
+
+  const rdf::AliasTable& aliases() const;
+  struct Module {
+    std::string id;
+    std::string origin;       // "built-in" or "stored"
+    std::size_t statements = 0;
+  };
+  std::vector<Module> Modules() const;
+  rdf::View Catalogue() const;
+  struct Counts {
+    std::size_t terms = 0, asserted = 0, inferred = 0, views_cached = 0, clashes = 0;
+  };
+  Counts counts() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace lares::server
