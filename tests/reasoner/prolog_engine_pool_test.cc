@@ -66,14 +66,17 @@ TEST_F(EnginePoolTest, ErrorsPrintNothing) {
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
-TEST_F(EnginePoolTest, AnEndlessRuleIsStopped) {
-  for (const char* endless :
-       {"loop", "loop_stubbornly", "loop_over_triples", "loop_over_builtin"}) {
-    EXPECT_EQ(ErrorOf(endless, {}, Numbered(3), Limits{.time = 50ms}).code(), Code::kTimeout)
-        << endless;
-    EXPECT_EQ(Once("yes", {A("x")}), A("yes")) << "after " << endless;
-  }
+class EndlessRule : public EnginePoolTest, public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(EndlessRule, IsStopped) {
+  EXPECT_EQ(ErrorOf(GetParam(), {}, Numbered(3), Limits{.time = 50ms}).code(), Code::kTimeout);
+  EXPECT_EQ(Once("yes", {A("x")}), A("yes"));
 }
+
+INSTANTIATE_TEST_SUITE_P(All, EndlessRule,
+                         ::testing::Values("loop", "loop_stubbornly", "loop_over_triples",
+                                           "loop_over_lookups", "loop_over_builtin"),
+                         [](const auto& param) { return std::string(param.param); });
 
 TEST_F(EnginePoolTest, AnEngineThatRanOutOfStackIsUsableAfterwards) {
   for (int i = 0; i < 4; ++i) {

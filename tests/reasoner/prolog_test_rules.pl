@@ -1,5 +1,5 @@
 :- module(prolog_test_rules,
-          [ echo/2, yes/2, no/2, none/1, count/2, loop/1, loop_stubbornly/1, loop_over_triples/1,
+          [ echo/2, yes/2, no/2, none/1, count/2, loop/1, loop_stubbornly/1, loop_over_triples/1, loop_over_lookups/1,
             loop_over_builtin/1, long_list/1, deep/2, throw_term/2, throw_text/3, odd/2, triple/2,
             subjects/3, asserted/2, in_graph/3, graphs/1, number_of/2, label_of/2, written_of/2,
             first_triple/1, throw_after_triple/1, partial/2, sum_of_triples/1, same_term/1,
@@ -24,6 +24,8 @@ loop(X) :- loop(X).
 loop_stubbornly(X) :- catch(loop(X), _, true), loop_stubbornly(X).
 
 loop_over_triples(_) :- repeat, rdf(_, _, _), fail.
+
+loop_over_lookups(_) :- repeat, rdf(S, _, _), rdf(_, _, S), fail.
 
 loop_over_builtin(_) :- between(1, inf, X), X < 0.
 
