@@ -55,6 +55,12 @@ TEST_F(EnginePoolTest, OtherExceptionsReadAsPrologWouldPrintThem) {
   EXPECT_THAT(ErrorOf("never_heard_of", {}).what(), HasSubstr("never_heard_of/1"));
 }
 
+TEST_F(EnginePoolTest, AMessageOfARuleDoesNotEndTheProcess) {
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(Once("complain", {}), A("survived"));
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(), HasSubstr("an error that a rule prints"));
+}
+
 TEST_F(EnginePoolTest, ErrorsPrintNothing) {
   ::testing::internal::CaptureStdout();
   ::testing::internal::CaptureStderr();

@@ -4,7 +4,7 @@
             subjects/3, asserted/2, in_graph/3, graphs/1, number_of/2, label_of/2, written_of/2,
             first_triple/1, throw_after_triple/1, partial/2, sum_of_triples/1, same_term/1,
             raw/2, wait_then_count/2, same_both_ends/1, literal_with/4, unknown_predicate/1,
-            print_and_throw/1
+            print_and_throw/1, complain/1
           ]).
 :- use_module(library(lists)).
 :- use_module(library(apply)).
@@ -40,7 +40,9 @@ throw_term(Term, _) :- throw(Term).
 throw_text(Code, Message, _) :- throw(lares_error(Code, Message)).
 unknown_predicate(_) :- call(never_written).
 
-print_and_throw(_) :- print_message(silent, x), atom_length(_, _).
+print_and_throw(_) :- atom_length(_, _).
+
+complain(survived) :- print_message(error, format("an error that a rule prints", [])).
 
 odd(variable, _).
 odd(nested_variable, [_]).
