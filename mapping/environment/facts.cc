@@ -1,11 +1,8 @@
 #include "mapping/environment/facts.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <cstdio>
-#include <cstdlib>
-#include <system_error>
 
 namespace lares::environment {
 
@@ -21,19 +18,6 @@ std::string Excerpt(std::string_view text) {
     if (c < 0x20 || c > 0x7E) c = '?';
   }
   return text.size() > 40 ? excerpt + "…" : excerpt;
-}
-
-std::optional<double> ToNumber(std::string_view text) {
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  double number = 0;
-  const char* end = text.data() + text.size();
-  const auto parsed = std::from_chars(text.data(), end, number);
-  if (text.empty() || parsed.ptr != end) return std::nullopt;
-  // Too large is an infinity and too small is zero, as strtod has it.
-  if (parsed.ec == std::errc::result_out_of_range)
-    return std::strtod(std::string(text).c_str(), nullptr);
-  if (parsed.ec != std::errc()) return std::nullopt;
-  return number;
 }
 
 void BoundsBuilder::Add(double x_m, double y_m, double z_m) {

@@ -14,9 +14,6 @@ std::string ToText(double number);
 // At most 40 bytes of foreign text, printable ASCII only, for error messages.
 std::string Excerpt(std::string_view text);
 
-// Parses all of `text`; nothing when it is not a number. "nan" and "inf" are numbers.
-std::optional<double> ToNumber(std::string_view text);
-
 // The smallest box around points.
 class BoundsBuilder {
  public:

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/number.h"
 #include "mapping/environment/facts.h"
 
 namespace lares::environment {

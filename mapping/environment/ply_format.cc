@@ -8,6 +8,7 @@
 #include <cstring>
 #include <vector>
 
+#include "base/number.h"
 #include "base/text.h"
 #include "mapping/environment/facts.h"
 #include "mapping/environment/magic.h"

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "base/error.h"
+#include "base/number.h"
 #include "base/text.h"
 #include "mapping/environment/facts.h"
 #include "mapping/environment/magic.h"

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "base/error.h"
 #include "mapping/environment/facts.h"
 
@@ -37,16 +35,6 @@ TEST(ByteReaderTest, MissingFileIsNotFound) {
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), Code::kNotFound);
   }
-}
-
-TEST(FactsTest, NumbersAreWholeWordsOnly) {
-  EXPECT_EQ(ToNumber("-1.5e2"), -150.0);
-  EXPECT_EQ(ToNumber("+2"), 2.0);
-  EXPECT_EQ(ToNumber("2x"), std::nullopt);
-  EXPECT_EQ(ToNumber(""), std::nullopt);
-  EXPECT_EQ(ToNumber("+-2"), std::nullopt);
-  EXPECT_TRUE(std::isinf(*ToNumber("1e999")));
-  EXPECT_EQ(ToNumber("1e-999"), 0.0);
 }
 
 TEST(FactsTest, ForeignTextIsShortAndPrintable) {
