@@ -178,7 +178,7 @@ leave(_, _, _, _, _, _, end(exhausted), "nothing is left to try, and the loop ha
 
 preference(lares:'CONDITION_TRUE', 1) :- !.
 preference(lares:'COMPLETED_OK', 2) :- !.
-preference(lares:'FAILED', 9) :- !.
+preference(lares:'COMPLETED_FAILED', 9) :- !.
 preference(_, 3).
 
 % What follows when the recipe of the step on top of Above has ended.

@@ -162,7 +162,7 @@ template_outcomes(Template, Outcomes) :-
               outcome_rank(Name, Rank),
               ( rdf_asserted(Node, lares:meansResult, Result) -> true ; Result = none ) ),
             Found),
-    rdf_equal(Failure, lares:'FAILED'),
+    rdf_equal(Failure, lares:'COMPLETED_FAILED'),
     (   memberchk(_-outcome(failed, _), Found)
     ->  All = Found
     ;   All = [9-outcome(failed, Failure)|Found]
