@@ -27,24 +27,25 @@ struct PutRequest {
   std::string file_name;
   std::string bytes;
   bool recover = false;
-  std::string prior_format;  // priors: "omics" or "tsv"
+  std::string prior_format;             // priors: "omics" or "tsv"
+  std::vector<store::LayerInfo> files;  // object models: their files, blobs already committed
   std::string if_match;
 };
 
 struct PutAnswer {
   store::DocumentInfo document;
-  std::vector<rdf::Remark> remarks;   // repairs and warnings with places
-  std::vector<recipes::Task> tasks;   // recipes
+  std::vector<rdf::Remark> remarks;       // repairs and warnings with places
+  std::vector<recipes::Task> tasks;       // recipes
   std::vector<recipes::Resource> robots;  // robots
-  std::vector<std::string> warnings;  // without a place: absent imports, contradictions, …
+  std::vector<std::string> warnings;      // without a place: absent imports, contradictions, …
   std::size_t statements = 0;
   std::size_t inferred = 0;
 };
 
 struct PlanRequest {
-  std::string task;         // document id, IRI, label or local name
-  std::string robot;        // likewise
-  std::string environment;  // id; empty for none
+  std::string task;             // document id, IRI, label or local name
+  std::string robot;            // likewise
+  std::string environment;      // id; empty for none
   int environment_version = 0;  // 0: newest
   bool strict = false;
   std::map<std::string, std::string> templates;  // answers to choices: step → template
@@ -71,22 +72,24 @@ struct WhereRequest {
 
 struct WhereAnswer {
   recipes::Resource object;
-  std::string prior;                 // name of the table that answered
+  std::string prior;  // name of the table that answered
   std::string prior_title;
-  std::vector<SeenObject> seen;      // mapped instances of the class or a subclass, newest first
+  std::vector<SeenObject> seen;  // mapped instances of the class or a subclass, newest first
   struct Place {
     recipes::Resource place;
     double probability = 0;
     double support = 0;
   };
-  std::vector<Place> rooms;          // ranked
-  std::vector<Place> furniture;      // ranked; empty when the table has none
+  std::vector<Place> rooms;      // ranked
+  std::vector<Place> furniture;  // ranked; empty when the table has none
 };
 
 struct ObjectModelInfo {
   store::DocumentInfo document;
-  recipes::Resource model_class;     // what it is a model of
+  std::vector<recipes::Resource> classes;  // what it is a model of
 };
+
+struct PlaceTables;
 
 // All members are thread-safe. Readers never wait for a writer: they use the views that stood when
 // they began. Faults are Errors.
@@ -133,7 +136,7 @@ class Knowledge {
   const rdf::AliasTable& aliases() const;
   struct Module {
     std::string id;
-    std::string origin;       // "built-in" or "stored"
+    std::string origin;  // "built-in" or "stored"
     std::size_t statements = 0;
   };
   std::vector<Module> Modules() const;
@@ -145,6 +148,11 @@ class Knowledge {
 
  private:
   struct State;
+
+  PutAnswer PutOntology(const PutRequest& request, const rdf::Graph& graph,
+                        const rdf::Document& content);
+  std::shared_ptr<const PlaceTables> FindPrior(const std::string& name);
+
   std::unique_ptr<State> state_;
 };
 

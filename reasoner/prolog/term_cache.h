@@ -1,0 +1,67 @@
+// Dictionary ids as Prolog atoms and back, converted once. Inside this folder only.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <shared_mutex>
+#include <string_view>
+#include <unordered_map>
+
+#include "ontology/triples/dictionary.h"
+#include "reasoner/prolog/terms.h"
+
+namespace lares::prolog {
+
+// One per dictionary. Its atoms are registered, so Prolog's garbage collector keeps them, and given
+// back when it goes. Thread-safe; every member needs an attached engine.
+class TermCache {
+ public:
+  // The cache of this dictionary, made when there is none; caches of dictionaries that are gone are
+  // dropped.
+  static std::shared_ptr<TermCache> For(const std::shared_ptr<rdf::Dictionary>& dictionary);
+
+  explicit TermCache(const std::shared_ptr<rdf::Dictionary>& dictionary);
+  ~TermCache();
+  TermCache(const TermCache&) = delete;
+  TermCache& operator=(const TermCache&) = delete;
+
+  struct Atoms {
+    AtomRef value = 0;     // the IRI, "_:label" or the lexical form
+    AtomRef datatype = 0;  // 0 when the term is no literal
+    AtomRef language = 0;
+  };
+  // `id` must be one that the dictionary gave.
+  Atoms AtomsOf(rdf::TermId id);
+
+  // The IRI or blank node that an atom spells; nothing when the dictionary has none.
+  std::optional<rdf::TermId> IdOf(AtomRef atom);
+
+ private:
+  struct Entry {
+    std::atomic<AtomRef> value{0}, datatype{0}, language{0};
+  };
+  static constexpr std::uint32_t kChunkSize = 1u << 14;
+  static constexpr std::uint32_t kChunks = 1u << 18;
+  using Chunk = std::array<Entry, kChunkSize>;
+
+  struct Shard {
+    std::shared_mutex mutex;
+    std::unordered_map<AtomRef, rdf::TermId> ids;
+  };
+  static constexpr std::size_t kShards = 16;
+
+  Entry& EntryOf(rdf::TermId id);
+  Atoms Fill(rdf::TermId id, Entry& entry);
+  Shard& ShardOf(AtomRef atom) { return shards_[(atom >> 7) % kShards]; }
+  void Remember(AtomRef atom, rdf::TermId id);
+
+  std::weak_ptr<rdf::Dictionary> owner_;
+  const rdf::Dictionary& dictionary_;  // alive while any goal uses this cache
+  std::unique_ptr<std::atomic<Chunk*>[]> chunks_;
+  std::array<Shard, kShards> shards_;
+};
+
+}  // namespace lares::prolog
