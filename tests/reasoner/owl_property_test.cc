@@ -71,7 +71,11 @@ class Author {
         "C owl:unionOf L",
         "C owl:oneOf ( I I )",
         "R owl:onProperty P",
-        "R owl:onProperty P",
+        "R owl:onProperty P ; owl:someValuesFrom C",
+        "R owl:onProperty P ; owl:allValuesFrom C",
+        "R owl:onProperty P ; owl:hasValue I",
+        "R owl:onProperty P ; owl:maxCardinality 1",
+        "R owl:onProperty P ; owl:maxQualifiedCardinality 1 ; owl:onClass C",
         "R owl:someValuesFrom C",
         "R owl:someValuesFrom C",
         "R owl:someValuesFrom owl:Thing",
@@ -157,7 +161,7 @@ std::string Difference(const std::set<rdf::Triple>& found, const std::set<rdf::T
 }
 
 TEST(OwlPropertyTest, EngineFindsWhatTheNaiveClosureFinds) {
-  for (unsigned seed = 1; seed <= 400; ++seed) {
+  for (unsigned seed = 1; seed <= 150; ++seed) {
     Author author(seed);
     const std::string text = author.Text(6 + static_cast<int>(author.Below(20)));
     const auto dictionary = std::make_shared<rdf::Dictionary>();
@@ -176,7 +180,7 @@ TEST(OwlPropertyTest, EngineFindsWhatTheNaiveClosureFinds) {
 }
 
 TEST(OwlPropertyTest, LayersHoldTogetherWhatOneLayerHolds) {
-  for (unsigned seed = 1; seed <= 400; ++seed) {
+  for (unsigned seed = 1; seed <= 150; ++seed) {
     Author author(1000 + seed);
     std::vector<std::string> texts(2 + author.Below(2));
     for (std::string& text : texts) text = author.Text(3 + static_cast<int>(author.Below(12)));
@@ -206,7 +210,7 @@ TEST(OwlPropertyTest, LayersHoldTogetherWhatOneLayerHolds) {
 
 // Each reported derivation rests on what was known before it, and its premises alone suffice.
 TEST(OwlPropertyTest, EveryDerivationFollowsFromItsPremises) {
-  for (unsigned seed = 1; seed <= 100; ++seed) {
+  for (unsigned seed = 1; seed <= 50; ++seed) {
     Author author(5000 + seed);
     const auto dictionary = std::make_shared<rdf::Dictionary>();
     const rdf::Graph below = GraphOf(author.Text(8), *dictionary, "below");
