@@ -24,7 +24,8 @@ struct Derivation {
 struct Options {
   std::size_t max_inferred = 10'000'000;  // triples of one layer; beyond it kTooLarge
   std::size_t max_clashes = 100;          // contradictions kept; later ones are only counted
-  // Called once for each inferred triple, in an order in which each follows from earlier ones.
+  // Called once for each inferred triple, in an order in which each follows from earlier ones. A
+  // triple that the graphs assert may be among them.
   std::function<void(const Derivation&)> on_derivation;
 };
 
