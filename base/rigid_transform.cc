@@ -1,11 +1,21 @@
 #include "base/rigid_transform.h"
 
+#include <Eigen/SVD>
 #include <cmath>
 #include <string>
 
 #include "base/error.h"
 
 namespace lares {
+namespace {
+
+// In the Frobenius norm (Schönemann, Psychometrika 1966). `near` must be close to a rotation.
+Eigen::Matrix3d NearestRotation(const Eigen::Matrix3d& near) {
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(near, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  return svd.matrixU() * svd.matrixV().transpose();
+}
+
+}  // namespace
 
 RigidTransform FromMatrix(const Eigen::Matrix4d& target_from_source, double tolerance) {
   for (int row = 0; row < 4; ++row) {
@@ -22,10 +32,13 @@ RigidTransform FromMatrix(const Eigen::Matrix4d& target_from_source, double tole
   }
   const Eigen::Matrix3d rotation = target_from_source.topLeftCorner<3, 3>();
   const double departure = (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm();
-  if (departure > tolerance * 10 || std::abs(rotation.determinant() - 1) > tolerance * 10) {
+  if (!(departure <= tolerance * 10)) {
     throw Error(Code::kInvalid, "the upper left 3×3 block of the pose matrix is no rotation");
   }
-  return {Eigen::Quaterniond(rotation).normalized(), target_from_source.topRightCorner<3, 1>()};
+  if (rotation.determinant() < 0) {
+    throw Error(Code::kInvalid, "the upper left 3×3 block of the pose matrix mirrors");
+  }
+  return {Eigen::Quaterniond(NearestRotation(rotation)), target_from_source.topRightCorner<3, 1>()};
 }
 
 double YawRad(const RigidTransform& target_from_source) {

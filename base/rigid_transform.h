@@ -28,8 +28,10 @@ inline RigidTransform Inverse(const RigidTransform& target_from_source) {
   return {inverse, inverse * -target_from_source.translation_m};
 }
 
-// From a row-major homogeneous matrix. Throws kInvalid naming what is wrong: an entry that is not
-// finite, a last row other than 0 0 0 1, a 3×3 block that is not a rotation (within `tolerance`).
+// From a homogeneous matrix. Each entry may be off by `tolerance`, as rounding to few digits leaves
+// it: the rotation is then the nearest one to the 3×3 block. Throws kInvalid naming what is wrong:
+// an entry that is not finite, a last row other than 0 0 0 1, a 3×3 block that is further from
+// orthogonal (‖R·Rᵀ − 1‖ above 10 tolerances) or mirrors.
 RigidTransform FromMatrix(const Eigen::Matrix4d& target_from_source, double tolerance = 1e-3);
 
 // The rotation about +z (REP-103), in radians, (−π, π].

@@ -9,14 +9,14 @@
 namespace lares::rdf {
 
 struct ReadOptions {
-  std::string source;               // file name or id for error places
-  std::string base_iri;             // for relative IRIs where the document states no base
-  bool recover = false;             // repair the known faults of RDF/XML, listing each as a remark
-  std::size_t max_bytes = 256u << 20;         // of the document
+  std::string source;    // file name or id for error places
+  std::string base_iri;  // for relative IRIs where the document states no base
+  bool recover = false;  // repair the known faults of RDF/XML, listing each as a remark
+  std::size_t max_bytes = 256u << 20;  // of the document
   std::size_t max_statements = 20'000'000;
-  std::size_t max_term_bytes = 16u << 20;     // of one literal or IRI
-  int max_depth = 256;              // XML element nesting; Turtle nesting of [] and ()
-  std::size_t max_entity_bytes = 16u << 20;   // all text that entity references expand to
+  std::size_t max_term_bytes = 16u << 20;    // of one literal or IRI
+  int max_depth = 256;                       // XML element nesting; Turtle nesting of [] and ()
+  std::size_t max_entity_bytes = 16u << 20;  // all text that entity references expand to
 };
 
 // The whole document, or an Error with source, line and column: kInvalid (malformed), kTooLarge (a

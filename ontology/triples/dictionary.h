@@ -16,7 +16,8 @@ enum class TermId : std::uint32_t {};
 inline constexpr TermId kAnyTerm{0};
 
 // Append-only: an id, once given, and the TermView behind it stay valid for the dictionary's life.
-// All members are thread-safe; reads of known ids take no lock.
+// All members are thread-safe; only an Intern of a term not seen before takes a lock.
+// "a"^^xsd:string is "a", and a literal with a language has no datatype beside it.
 class Dictionary {
  public:
   Dictionary();
@@ -32,8 +33,11 @@ class Dictionary {
   }
   // Throws kInternal for an id that this dictionary never gave.
   TermView Get(TermId id) const;
+  // Get(id).kind, cheaper.
+  TermKind Kind(TermId id) const;
+  // How many terms there are: ids run from 1 to size().
   std::size_t size() const;
-  std::size_t memory_bytes() const;
+  std::size_t memory_bytes() const;  // about, without malloc's own overhead
 
  private:
   struct State;

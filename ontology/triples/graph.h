@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "ontology/rdf/aliases.h"
-#include "ontology/triples/dictionary.h"
 #include "ontology/rdf/document.h"
+#include "ontology/triples/dictionary.h"
 
 namespace lares::rdf {
 
@@ -24,12 +24,14 @@ struct Triple {
 struct Graph {
   std::string name;             // id of the document; unique among the graphs of a view
   std::vector<Triple> triples;  // sorted, distinct
-  // canonical IRI → the IRI as this document wrote it, for the terms that an alias changed.
+  // canonical IRI → the IRI as this document wrote it, for the terms that an alias changed; the
+  // first spelling when it used several.
   std::map<TermId, TermId> as_written;
 };
 
-// Interns the document's terms: IRIs by their canonical name, blank nodes made unique by `name`.
-// Named graphs inside the document (TriG, N-Quads) are merged into this one graph.
+// Interns the terms that statements use: IRIs by their canonical name, blank nodes made unique by
+// `name`, literals as they are (datatype IRIs have no aliases). Linear in the document. Named
+// graphs inside the document (TriG, N-Quads) are merged into this one graph.
 Graph MakeGraph(const Document& document, std::string_view name, const AliasTable& aliases,
                 Dictionary& dictionary);
 

@@ -29,17 +29,31 @@ struct Clash {
   std::vector<Triple> premises;
 };
 
+// What reasoning found out about a layer. Each member may be in any order.
+struct Inference {
+  std::vector<Triple> inferred;  // must not repeat an asserted triple; duplicates are dropped
+  std::vector<Clash> clashes;
+  std::size_t clash_count = 0;  // with those that were not kept; at least clashes.size()
+  // Triples that the graphs assert but layers below hold already (asserted or inferred): they count
+  // as asserted here, and are not stored again. Sorted.
+  std::vector<Triple> held_below;
+};
+
 // One set of triples, sorted three ways, with who asserted which. Built once, never changed.
 class Layer {
  public:
   // `inferred` must not repeat an asserted triple; duplicates are dropped.
   Layer(std::vector<Graph> graphs, std::vector<Triple> inferred, std::vector<Clash> clashes);
+  Layer(std::vector<Graph> graphs, Inference inference);
 
+  // Triples stored here: asserted or inferred, and not held below.
   std::size_t size() const { return spo_.size(); }
-  std::size_t asserted_size() const { return asserted_.size(); }
-  std::size_t memory_bytes() const;
+  // Distinct triples that the graphs assert, held below or not.
+  std::size_t asserted_size() const { return asserted().size(); }
+  std::size_t memory_bytes() const;  // about
   const std::vector<Graph>& graphs() const { return graphs_; }
   const std::vector<Clash>& clashes() const { return clashes_; }
+  std::size_t clash_count() const { return clash_count_; }
 
   // The contiguous run of triples that match, in one of the three orders. Pattern lookup is two
   // binary searches.
@@ -48,9 +62,15 @@ class Layer {
   bool IsAsserted(const Triple& triple) const;
 
  private:
+  const std::vector<Triple>& asserted() const {
+    return graphs_.size() == 1 ? graphs_.front().triples : asserted_;
+  }
+
   std::vector<Graph> graphs_;
-  std::vector<Triple> asserted_;  // sorted
+  std::vector<Triple> asserted_;  // sorted; empty for one graph, whose own triples serve
   std::vector<Clash> clashes_;
+  std::size_t clash_count_ = 0;
+  TermId largest_{};  // no term of a stored triple has a larger id
   // Range() must return matching triples only: (S P O), (S P ?), (S ? ?) and (? ? ?) from spo_;
   // (? P O) and (? P ?) from pos_; (? ? O) and (S ? O) from osp_. Each holds full triples.
   std::vector<Triple> spo_, pos_, osp_;
@@ -72,7 +92,10 @@ class View {
   }
 
   bool Contains(const Triple& triple) const;
+  // By a graph of any layer.
   bool IsAsserted(const Triple& triple) const;
+  // Names of the graphs that assert it, lowest layer first; empty for inferred triples.
+  std::vector<std::string> GraphsOf(const Triple& triple) const;
   std::size_t size() const;
   // Upper bound on the number of answers, in O(log n).
   std::size_t Estimate(const Pattern& pattern) const;
@@ -82,7 +105,7 @@ class View {
   bool ForEach(const Pattern& pattern, Visit&& visit, Origin origin = Origin::kAll) const {
     for (const auto& layer : layers_) {
       for (const Triple& triple : layer->Range(pattern)) {
-        if (origin == Origin::kAsserted && !layer->IsAsserted(triple)) continue;
+        if (origin == Origin::kAsserted && !IsAsserted(triple)) continue;
         if (!visit(triple)) return false;
       }
     }
@@ -95,7 +118,8 @@ class View {
   std::vector<TermId> Subjects(TermId predicate, TermId object) const;
   // The IRI as the topmost document that mentions it wrote it; the canonical one otherwise.
   std::string AsWritten(TermId iri) const;
-  // rdfs:label without a language tag or "en" preferred; otherwise the local name.
+  // rdfs:label, without a language tag, then "en", then any preferred; otherwise the local name.
+  // A literal's text; a blank node's label with "_:".
   std::string Label(TermId term) const;
 
  private:

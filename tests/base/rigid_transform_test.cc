@@ -34,6 +34,18 @@ TEST(RigidTransformTest, MatrixRoundTrips) {
   EXPECT_TRUE((read * Eigen::Vector3d(1, 0, 0)).isApprox(Eigen::Vector3d(1, 3, 3), 1e-12));
 }
 
+TEST(RigidTransformTest, RoundedMatrixGivesTheNearestRotation) {
+  const Eigen::Matrix3d exact = (Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ()) *
+                                 Eigen::AngleAxisd(-1.1, Eigen::Vector3d(1, 2, 2) / 3))
+                                    .toRotationMatrix();
+  Eigen::Matrix4d rounded = Eigen::Matrix4d::Identity();
+  rounded.topLeftCorner<3, 3>() = (exact * 100).array().round() / 100;
+  EXPECT_THROW(FromMatrix(rounded, 1e-4), Error);
+  const RigidTransform read = FromMatrix(rounded, 5e-3);
+  EXPECT_NEAR(read.rotation.norm(), 1, 1e-12);
+  EXPECT_TRUE(read.rotation.toRotationMatrix().isApprox(exact, 1e-2));
+}
+
 TEST(RigidTransformTest, NanIsRefusedByTheNameOfItsEntry) {
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
   matrix(1, 3) = std::numeric_limits<double>::quiet_NaN();

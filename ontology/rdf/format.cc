@@ -1,0 +1,133 @@
+#include <array>
+#include <optional>
+
+#include "base/text.h"
+#include "ontology/rdf/document.h"
+
+namespace lares::rdf {
+namespace {
+
+struct Row {
+  std::string_view key;
+  Format format;
+};
+
+constexpr std::array<Row, 9> kMediaTypes = {{{"application/rdf+xml", Format::kRdfXml},
+                                             {"application/xml", Format::kRdfXml},
+                                             {"text/xml", Format::kRdfXml},
+                                             {"text/turtle", Format::kTurtle},
+                                             {"application/x-turtle", Format::kTurtle},
+                                             {"application/trig", Format::kTriG},
+                                             {"application/x-trig", Format::kTriG},
+                                             {"application/n-triples", Format::kNTriples},
+                                             {"application/n-quads", Format::kNQuads}}};
+
+constexpr std::array<Row, 7> kExtensions = {{{".rdf", Format::kRdfXml},
+                                             {".xml", Format::kRdfXml},
+                                             {".rdfs", Format::kRdfXml},
+                                             {".ttl", Format::kTurtle},
+                                             {".trig", Format::kTriG},
+                                             {".nt", Format::kNTriples},
+                                             {".nq", Format::kNQuads}}};
+
+// Types that clients send when they do not know.
+constexpr std::array<std::string_view, 3> kVagueTypes = {"application/octet-stream", "text/plain",
+                                                         "application/x-www-form-urlencoded"};
+
+bool StartsWithWord(std::string_view text, std::string_view word) {
+  return ToLower(text.substr(0, word.size())) == word &&
+         (text.size() == word.size() || text[word.size()] <= ' ' || text[word.size()] == '<' ||
+          text[word.size()] == '{');
+}
+
+std::string_view SkipBlank(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  for (;;) {
+    const std::size_t start = text.find_first_not_of(" \t\r\n");
+    if (start == std::string_view::npos) return {};
+    text.remove_prefix(start);
+    if (text[0] != '#') return text;
+    const std::size_t end = text.find('\n');
+    if (end == std::string_view::npos) return {};
+    text.remove_prefix(end);
+  }
+}
+
+// "<name ", "<p:name>", "<?xml", "<!--": markup and not an IRI.
+bool IsMarkup(std::string_view text) {
+  if (text.size() < 2 || text[0] != '<') return false;
+  if (text[1] == '?' || text[1] == '!') return true;
+  const std::size_t end = text.find_first_of("> \t\r\n");
+  if (end == std::string_view::npos || end < 2) return false;
+  const std::string_view name = text.substr(1, end - 1);
+  if (text[end] != '>') return name.find('/') == std::string_view::npos;
+  return name == "rdf:RDF" || name == "RDF";
+}
+
+std::optional<Format> FromBytes(std::string_view bytes) {
+  const std::string_view text = SkipBlank(bytes.substr(0, 1 << 16));
+  if (text.empty()) return std::nullopt;
+  if (IsMarkup(text)) return Format::kRdfXml;
+  if (text[0] == '{' || StartsWithWord(text, "graph")) return Format::kTriG;
+  if (StartsWithWord(text, "@prefix") || StartsWithWord(text, "@base") ||
+      StartsWithWord(text, "prefix") || StartsWithWord(text, "base") || text[0] == '<' ||
+      text[0] == '[' || text.starts_with("_:")) {
+    return Format::kTurtle;
+  }
+  return std::nullopt;
+}
+
+[[noreturn]] void Refuse(const std::string& why) {
+  throw Error(Code::kUnsupported, why)
+      .WithHint(
+          "RDF/XML (.owl, .rdf), Turtle (.ttl), TriG (.trig), N-Triples (.nt) and N-Quads (.nq) "
+          "are read");
+}
+
+// ".owl" says ontology, not syntax.
+Format OfOwlFile(std::string_view bytes) {
+  const std::string_view text = SkipBlank(bytes.substr(0, 1 << 16));
+  if (text.starts_with("Prefix(") || text.starts_with("Ontology(")) {
+    Refuse("this is OWL functional syntax, which is not read");
+  }
+  return FromBytes(bytes).value_or(Format::kRdfXml);
+}
+
+}  // namespace
+
+std::string_view MediaType(Format format) {
+  switch (format) {
+    case Format::kRdfXml:
+      return "application/rdf+xml";
+    case Format::kTurtle:
+      return "text/turtle";
+    case Format::kTriG:
+      return "application/trig";
+    case Format::kNTriples:
+      return "application/n-triples";
+    case Format::kNQuads:
+      return "application/n-quads";
+  }
+  return "application/octet-stream";
+}
+
+Format GuessFormat(std::string_view media_type, std::string_view file_name,
+                   std::string_view bytes) {
+  const std::string type =
+      ToLower(Trim(media_type.substr(0, std::min(media_type.find(';'), media_type.size()))));
+  for (const Row& row : kMediaTypes) {
+    if (type == row.key) return row.format;
+  }
+  bool is_vague = type.empty() || type == "*/*";
+  for (const std::string_view vague : kVagueTypes) is_vague = is_vague || type == vague;
+  if (!is_vague) Refuse("the media type '" + type + "' is not one of RDF");
+  const std::string name = ToLower(file_name);
+  if (name.ends_with(".owl")) return OfOwlFile(bytes);
+  for (const Row& row : kExtensions) {
+    if (name.ends_with(row.key)) return row.format;
+  }
+  if (const auto format = FromBytes(bytes)) return *format;
+  Refuse("the format of the document is not told by its name or its first bytes");
+}
+
+}  // namespace lares::rdf

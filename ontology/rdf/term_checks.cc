@@ -1,0 +1,101 @@
+#include "ontology/rdf/term_checks.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/text.h"
+
+namespace lares::rdf {
+namespace {
+
+bool IsAlpha(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool IsAlnum(char c) { return IsAlpha(c) || (c >= '0' && c <= '9'); }
+
+constexpr std::array<bool, 256> ForbiddenInIri() {
+  std::array<bool, 256> forbidden{};
+  for (int c = 0; c <= 0x20; ++c) forbidden[static_cast<std::size_t>(c)] = true;
+  for (const char c : std::string_view("<>\"{}|\\^`")) {
+    forbidden[static_cast<unsigned char>(c)] = true;
+  }
+  return forbidden;
+}
+
+constexpr std::array<bool, 256> kForbiddenInIri = ForbiddenInIri();
+
+bool IsForbiddenInIri(char c) { return kForbiddenInIri[static_cast<unsigned char>(c)]; }
+
+bool HasScheme(std::string_view iri) {
+  if (iri.empty() || !IsAlpha(iri[0])) return false;
+  for (const char c : iri) {
+    if (c == ':') return true;
+    if (!IsAlnum(c) && c != '+' && c != '-' && c != '.') return false;
+  }
+  return false;
+}
+
+// BCP 47's shape: letters, then subtags of 1–8 letters and digits.
+bool IsLanguageTag(std::string_view tag) {
+  bool is_first = true;
+  for (const std::string& subtag : Split(tag, '-')) {
+    if (subtag.empty() || subtag.size() > 8) return false;
+    const bool fits = is_first ? std::all_of(subtag.begin(), subtag.end(), IsAlpha)
+                               : std::all_of(subtag.begin(), subtag.end(), IsAlnum);
+    if (!fits) return false;
+    is_first = false;
+  }
+  return true;
+}
+
+std::optional<std::string> FaultOfIri(std::string_view iri) {
+  const auto bad = std::find_if(iri.begin(), iri.end(), IsForbiddenInIri);
+  if (bad != iri.end()) {
+    const std::string name = *bad == ' ' ? "a space"
+                             : static_cast<unsigned char>(*bad) < 0x20
+                                 ? "a control character"
+                                 : "the character '" + std::string(1, *bad) + "'";
+    return "the IRI " + Quoted(iri) + " has " + name + " in it";
+  }
+  if (!HasScheme(iri)) return "the IRI " + Quoted(iri) + " is relative, and no base IRI is known";
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool IsAbsoluteIri(std::string_view iri) {
+  return HasScheme(iri) && std::none_of(iri.begin(), iri.end(), IsForbiddenInIri);
+}
+
+std::optional<std::string> FaultOf(const TermView& term) {
+  if (term.kind == TermKind::kBlank) return std::nullopt;
+  if (!IsUtf8(term.value)) return "the term " + Quoted(term.value) + " is not UTF-8";
+  if (term.kind == TermKind::kIri) return FaultOfIri(term.value);
+  if (!term.datatype.empty()) {
+    if (!IsUtf8(term.datatype)) return "the datatype " + Quoted(term.datatype) + " is not UTF-8";
+    if (auto fault = FaultOfIri(term.datatype)) return fault;
+  }
+  if (!term.language.empty() && !IsLanguageTag(term.language)) {
+    return Quoted(term.language) + " is not a language tag";
+  }
+  return std::nullopt;
+}
+
+bool IsBlankLabel(std::string_view label) {
+  if (label.empty() || !(IsAlnum(label[0]) || label[0] == '_') || label.back() == '.') return false;
+  return std::all_of(label.begin(), label.end(),
+                     [](char c) { return IsAlnum(c) || c == '_' || c == '-' || c == '.'; });
+}
+
+std::string Quoted(std::string_view text) {
+  constexpr std::size_t kLongest = 80;
+  std::string quoted = "'";
+  for (const char c : text.substr(0, kLongest)) {
+    quoted += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;
+  }
+  if (text.size() > kLongest) {
+    while (!IsUtf8(quoted) && quoted.size() > 1) quoted.pop_back();
+    quoted += "…";
+  }
+  return quoted + "'";
+}
+
+}  // namespace lares::rdf

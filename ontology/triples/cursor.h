@@ -1,0 +1,27 @@
+// Answers one at a time, for callers that cannot give a callback.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "ontology/triples/view.h"
+
+namespace lares::rdf {
+
+// Pins its view until it is destroyed. One thread at a time.
+class Cursor {
+ public:
+  Cursor(View view, const Pattern& pattern, Origin origin = Origin::kAll);
+
+  // The next answer into `*triple`; false, leaving it alone, when there are no more.
+  bool Next(Triple* triple);
+
+ private:
+  View view_;
+  Pattern pattern_;
+  Origin origin_;
+  std::size_t next_layer_ = 0;
+  std::span<const Triple> rest_;  // of the layer before next_layer_
+};
+
+}  // namespace lares::rdf
