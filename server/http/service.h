@@ -14,7 +14,8 @@ namespace lares::http {
 // the body, the handler, faults as problem documents, If-None-Match, Range and HEAD.
 class Service {
  public:
-  explicit Service(Router router) : router_(std::move(router)) {}
+  explicit Service(Router router, std::shared_ptr<Metrics> metrics = std::make_shared<Metrics>())
+      : router_(std::move(router)), metrics_(std::move(metrics)) {}
 
   // What can be said before the body is read: the route, or the refusal.
   struct Admission {
@@ -38,7 +39,7 @@ class Service {
 
  private:
   Router router_;
-  std::shared_ptr<Metrics> metrics_ = std::make_shared<Metrics>();
+  std::shared_ptr<Metrics> metrics_;
 };
 
 // A client's id when it is 1–128 of [A-Za-z0-9._:-], else a new one of ours.

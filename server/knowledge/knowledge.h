@@ -20,6 +20,13 @@
 
 namespace lares::server {
 
+// A file that belongs to a document: its blob is committed already.
+struct AttachedFile {
+  std::string file_name;
+  std::string media_type;
+  store::Blob blob;
+};
+
 struct PutRequest {
   store::DocumentKind kind = store::DocumentKind::kOntology;
   std::string id;          // empty: the file name's stem
@@ -29,22 +36,25 @@ struct PutRequest {
   bool recover = false;
   std::string prior_format;  // priors: "omics" or "tsv"
   std::string if_match;
+  // Object models: kept as details_json's "files": [{file_name, media_type, sha256, size}]. Empty
+  // keeps those of the version before.
+  std::vector<AttachedFile> files;
 };
 
 struct PutAnswer {
   store::DocumentInfo document;
-  std::vector<rdf::Remark> remarks;   // repairs and warnings with places
-  std::vector<recipes::Task> tasks;   // recipes
+  std::vector<rdf::Remark> remarks;       // repairs and warnings with places
+  std::vector<recipes::Task> tasks;       // recipes
   std::vector<recipes::Resource> robots;  // robots
-  std::vector<std::string> warnings;  // without a place: absent imports, contradictions, …
+  std::vector<std::string> warnings;      // without a place: absent imports, contradictions, …
   std::size_t statements = 0;
   std::size_t inferred = 0;
 };
 
 struct PlanRequest {
-  std::string task;         // document id, IRI, label or local name
-  std::string robot;        // likewise
-  std::string environment;  // id; empty for none
+  std::string task;             // document id, IRI, label or local name
+  std::string robot;            // likewise
+  std::string environment;      // id; empty for none
   int environment_version = 0;  // 0: newest
   bool strict = false;
   std::map<std::string, std::string> templates;  // answers to choices: step → template
@@ -71,21 +81,21 @@ struct WhereRequest {
 
 struct WhereAnswer {
   recipes::Resource object;
-  std::string prior;                 // name of the table that answered
+  std::string prior;  // name of the table that answered
   std::string prior_title;
-  std::vector<SeenObject> seen;      // mapped instances of the class or a subclass, newest first
+  std::vector<SeenObject> seen;  // mapped instances of the class or a subclass, newest first
   struct Place {
     recipes::Resource place;
     double probability = 0;
     double support = 0;
   };
-  std::vector<Place> rooms;          // ranked
-  std::vector<Place> furniture;      // ranked; empty when the table has none
+  std::vector<Place> rooms;      // ranked
+  std::vector<Place> furniture;  // ranked; empty when the table has none
 };
 
 struct ObjectModelInfo {
   store::DocumentInfo document;
-  recipes::Resource model_class;     // what it is a model of
+  recipes::Resource model_class;  // what it is a model of
 };
 
 // All members are thread-safe. Readers never wait for a writer: they use the views that stood when
@@ -133,7 +143,7 @@ class Knowledge {
   const rdf::AliasTable& aliases() const;
   struct Module {
     std::string id;
-    std::string origin;       // "built-in" or "stored"
+    std::string origin;  // "built-in" or "stored"
     std::size_t statements = 0;
   };
   std::vector<Module> Modules() const;
