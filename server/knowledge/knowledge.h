@@ -20,6 +20,13 @@
 
 namespace lares::server {
 
+// A file that belongs to a document: its blob is committed already.
+struct AttachedFile {
+  std::string file_name;
+  std::string media_type;
+  store::Blob blob;
+};
+
 struct PutRequest {
   store::DocumentKind kind = store::DocumentKind::kOntology;
   std::string id;          // empty: the file name's stem
@@ -30,6 +37,9 @@ struct PutRequest {
   std::string prior_format;             // priors: "omics" or "tsv"
   std::vector<store::LayerInfo> files;  // object models: their files, blobs already committed
   std::string if_match;
+  // Object models: kept as details_json's "files": [{file_name, media_type, sha256, size}]. Empty
+  // keeps those of the version before.
+  std::vector<AttachedFile> files;
 };
 
 struct PutAnswer {
@@ -87,6 +97,7 @@ struct WhereAnswer {
 struct ObjectModelInfo {
   store::DocumentInfo document;
   std::vector<recipes::Resource> classes;  // what it is a model of
+  recipes::Resource model_class;  // what it is a model of
 };
 
 struct PlaceTables;
