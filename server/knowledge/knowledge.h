@@ -34,8 +34,7 @@ struct PutRequest {
   std::string file_name;
   std::string bytes;
   bool recover = false;
-  std::string prior_format;             // priors: "omics" or "tsv"
-  std::vector<store::LayerInfo> files;  // object models: their files, blobs already committed
+  std::string prior_format;  // priors: "omics" or "tsv"
   std::string if_match;
   // Object models: kept as details_json's "files": [{file_name, media_type, sha256, size}]. Empty
   // keeps those of the version before.
@@ -97,7 +96,6 @@ struct WhereAnswer {
 struct ObjectModelInfo {
   store::DocumentInfo document;
   std::vector<recipes::Resource> classes;  // what it is a model of
-  recipes::Resource model_class;  // what it is a model of
 };
 
 struct PlaceTables;
