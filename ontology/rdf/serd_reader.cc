@@ -47,6 +47,8 @@ SerdSyntax SyntaxOf(Format format) {
 }
 
 std::string ReadableMessage(std::string_view from_serd) {
+  // Serd prints the end of the file as the character −1.
+  if (from_serd.find("not `\xFF") != std::string_view::npos) return "unexpected end of file";
   std::string text(Trim(from_serd));
   while (!IsUtf8(text)) text.pop_back();
   if (text.find("%FFFFFFFF") != std::string::npos) return "end of file in an IRI";
