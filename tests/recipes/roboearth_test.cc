@@ -88,9 +88,8 @@ TEST_P(RoboEarth, FindBottleNeedsBaseMotionAndObjectRecognitionAndAllThreeRobots
     const World world = Stack("object-search-recipe.owl", robot);
     const auto report = Match(world, Lares("FindBottle"));
     EXPECT_TRUE(report.feasible) << robot;
-    EXPECT_THAT(CapabilityIris(report),
-                UnorderedElementsAre(Lares("BaseMotionCapability"),
-                                     Lares("ObjectRecognitionCapability")))
+    EXPECT_THAT(CapabilityIris(report), UnorderedElementsAre(Lares("BaseMotionCapability"),
+                                                             Lares("ObjectRecognitionCapability")))
         << robot;
     EXPECT_THAT(report.smallest_repair, IsEmpty());
   }
@@ -102,9 +101,8 @@ TEST_P(RoboEarth, ExplorationLacksVisualSlamMappingOnThePr2AndNothingElse) {
     const auto report =
         Match(Stack("exploration-recipe.owl", robot), Lares("RobotEnvironmentExploration"));
     EXPECT_TRUE(report.feasible) << robot;
-    EXPECT_THAT(
-        CapabilityIris(report),
-        UnorderedElementsAre(Lares("BaseMotionCapability"), Lares("VisualSLAMCapability")));
+    EXPECT_THAT(CapabilityIris(report),
+                UnorderedElementsAre(Lares("BaseMotionCapability"), Lares("VisualSLAMCapability")));
   }
   const auto report =
       Match(Stack("exploration-recipe.owl", "PR2.owl"), Lares("RobotEnvironmentExploration"));
@@ -159,21 +157,20 @@ TEST_P(RoboEarth, FindBottleGetsAnExitForNoPoseLeft) {
 
 TEST_P(RoboEarth, ExplorationComesOutAsItIsWritten) {
   LARES_REQUIRE_DATA(recipe, "roboearth/recipes/exploration-recipe.owl");
-  const PlanResult result = Plan(Stack("exploration-recipe.owl", "pioneer.owl"),
-                                 Lares("RobotEnvironmentExploration"));
+  const PlanResult result =
+      Plan(Stack("exploration-recipe.owl", "pioneer.owl"), Lares("RobotEnvironmentExploration"));
   ASSERT_TRUE(result.plan) << ::testing::PrintToString(result.problems);
   EXPECT_EQ(result.plan->start, "load-typical-object-models");
-  EXPECT_THAT(
-      TransitionTexts(*result.plan),
-      UnorderedElementsAre("load-typical-object-models succeeded start-exploration-modules",
-                           "start-exploration-modules succeeded explore-environment",
-                           "explore-environment succeeded check-finished",
-                           "check-finished true stop-exploration-modules",
-                           "check-finished false move-to-nbv",
-                           "move-to-nbv succeeded explore-environment",
-                           "stop-exploration-modules succeeded move-to-origin",
-                           "move-to-origin succeeded upload-vslam-map",
-                           "upload-vslam-map succeeded succeeded"));
+  EXPECT_THAT(TransitionTexts(*result.plan),
+              UnorderedElementsAre("load-typical-object-models succeeded start-exploration-modules",
+                                   "start-exploration-modules succeeded explore-environment",
+                                   "explore-environment succeeded check-finished",
+                                   "check-finished true stop-exploration-modules",
+                                   "check-finished false move-to-nbv",
+                                   "move-to-nbv succeeded explore-environment",
+                                   "stop-exploration-modules succeeded move-to-origin",
+                                   "move-to-origin succeeded upload-vslam-map",
+                                   "upload-vslam-map succeeded succeeded"));
   for (const auto& state : result.plan->states) {
     if (state.id != "move-to-origin") continue;
     ASSERT_EQ(state.inputs.empty(), false);
@@ -188,11 +185,11 @@ TEST_P(RoboEarth, ServingADrinkInlinesTheGraspAndNamesItsPlaces) {
   ASSERT_TRUE(result.plan) << ::testing::PrintToString(result.problems);
   std::vector<std::string> ids;
   for (const auto& state : result.plan->states) ids.push_back(state.id);
-  EXPECT_THAT(ids, ElementsAre("MoveBaseToGraspPose", "ReachToApproachPose",
-                               "OpenGripperForGrasping", "ReachForObjectPose",
-                               "CloseGripperForGrasping", "LiftObjectToApproachPose",
-                               "ReachToParkingPose", "MoveBaseToHandoverPose", "HandoverObject",
-                               "OpenGripperForHandover", "succeeded", "failed"));
+  EXPECT_THAT(
+      ids, ElementsAre("MoveBaseToGraspPose", "ReachToApproachPose", "OpenGripperForGrasping",
+                       "ReachForObjectPose", "CloseGripperForGrasping", "LiftObjectToApproachPose",
+                       "ReachToParkingPose", "MoveBaseToHandoverPose", "HandoverObject",
+                       "OpenGripperForHandover", "succeeded", "failed"));
   EXPECT_THAT(result.plan->unordered, IsEmpty());
   const auto& inputs = result.plan->states.front().inputs;
   const auto target = std::find_if(inputs.begin(), inputs.end(),
