@@ -37,6 +37,7 @@ Plan Loop() {
 Parameter Input(const std::string& name, const std::string& value, Parameter::Source source) {
   Parameter parameter;
   parameter.name = name;
+  parameter.type = "string";
   parameter.value = value;
   parameter.source = source;
   return parameter;
@@ -100,6 +101,15 @@ TEST(CheckPlan, NamesParametersThatAreNotBound) {
                                    HasSubstr("'name' of 'a' has a name that"),
                                    HasSubstr("'odd' of 'a' has a value written like a key"),
                                    HasSubstr("'target' of 'a' is not bound")));
+}
+
+TEST(CheckPlan, NamesUnknownTypesAndOutputsThatNoTreeCanHold) {
+  Plan plan = Loop();
+  plan.states[0].inputs = {Input("target", "x", Parameter::Source::kRecipe)};
+  plan.states[0].inputs[0].type = "banana";
+  plan.states[0].outputs = {{"pose", "not a key"}};
+  EXPECT_THAT(CheckPlan(plan), ElementsAre(HasSubstr("its key 'not a key' is no identifier"),
+                                           HasSubstr("has the unknown type 'banana'")));
 }
 
 TEST(CheckPlan, WantsAKeyToBeCreatedByAnEarlierStep) {

@@ -226,6 +226,21 @@ TEST(Match, OnlyTheMostSpecificCapabilityIsReported) {
   EXPECT_TRUE(report.feasible);
 }
 
+TEST(Match, AStepThatNeedsEitherOfTwoIsMetByOne) {
+  const std::string recipe =
+      PartialOrder({{"step", "lares:PurposefulAction , " +
+                                 Some(kNeeds, "[ a owl:Class ; owl:unionOf ( :Fly :Swim ) ]")}},
+                   {}) +
+      ":Fly rdfs:subClassOf lares:Capability . :Swim rdfs:subClassOf lares:Capability .\n";
+  const auto met = Match(recipe, Robot("", Claim(":Swim")));
+  EXPECT_TRUE(met.feasible);
+  ASSERT_EQ(met.needs.size(), 1u);
+  EXPECT_EQ(met.needs.front().capability.label, "Swim");
+  const auto unmet = Match(recipe, Robot(""));
+  EXPECT_FALSE(unmet.feasible);
+  EXPECT_THAT(unmet.smallest_repair, ::testing::SizeIs(1));
+}
+
 TEST(Match, WhatIsNoTaskOrNoRobotIsNotFound) {
   World world = Catalogue();
   world.Put("robot", Robot("")).Put("recipe", Needing(""));
