@@ -227,8 +227,7 @@ TickStatus BehaviorTree::RunToEnd(int max_ticks) {
 
 TickStatus BehaviorTree::Tick(const XmlElement& element) {
   if (element.name == "Sequence" || element.name == "Fallback") {
-    const auto goes_on =
-        element.name == "Sequence" ? TickStatus::kSuccess : TickStatus::kFailure;
+    const auto goes_on = element.name == "Sequence" ? TickStatus::kSuccess : TickStatus::kFailure;
     for (const XmlElement& child : element.children) {
       const TickStatus status = Tick(child);
       if (status != goes_on) return status;

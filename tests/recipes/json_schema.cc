@@ -56,8 +56,8 @@ class Validator {
     } else if (keyword == "minimum") {
       if (value.is_number() && value < argument) Fail(path, "is too small");
     } else if (keyword == "pattern") {
-      if (value.is_string() && !std::regex_search(value.get<std::string>(),
-                                                  std::regex(argument.get<std::string>()))) {
+      if (value.is_string() &&
+          !std::regex_search(value.get<std::string>(), std::regex(argument.get<std::string>()))) {
         Fail(path, value.dump() + " does not match " + argument.dump());
       }
     } else {

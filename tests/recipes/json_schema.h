@@ -7,8 +7,8 @@
 
 namespace lares::testing {
 
-// One line for each violation: "/states/0/id: does not match …". A keyword that is not known here is
-// a violation, too, so that nothing passes unchecked.
+// One line for each violation: "/states/0/id: does not match …". A keyword that is not known here
+// is a violation, too, so that nothing passes unchecked.
 std::vector<std::string> ValidateJson(const nlohmann::json& schema, const nlohmann::json& value);
 
 }  // namespace lares::testing

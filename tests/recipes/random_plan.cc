@@ -63,8 +63,8 @@ Plan AnyPlan(std::mt19937& random, int max_states) {
     const State& state = plan.states[static_cast<std::size_t>(i)];
     for (const std::string& outcome : state.outcomes) {
       // Failing always ends, so that an end can be reached from everywhere.
-      const int to = outcome == "failed" && Below(random, 2) == 0 ? count + 1
-                                                                  : Below(random, count + 2);
+      const int to =
+          outcome == "failed" && Below(random, 2) == 0 ? count + 1 : Below(random, count + 2);
       plan.transitions.push_back(
           {state.id, outcome, plan.states[static_cast<std::size_t>(to)].id, false, ""});
     }

@@ -87,7 +87,7 @@ std::string Turtle(std::string_view body) {
          std::string(body);
 }
 
-std::string Test(std::string_view local) {
+std::string Example(std::string_view local) {
   return "https://example.org/test#" + std::string(local);
 }
 std::string Lares(std::string_view local) { return "https://w3id.org/lares#" + std::string(local); }
@@ -101,8 +101,7 @@ std::string Has(const std::string& property, const std::string& value) {
 }
 
 std::string StateMachine(const std::vector<StepText>& steps, const std::string& start,
-                         const std::vector<std::string>& ends,
-                         const std::vector<MoveText>& moves) {
+                         const std::vector<std::string>& ends, const std::vector<MoveText>& moves) {
   std::string above = "lares:PurposefulAction";
   std::string rest;
   for (const StepText& step : steps) {

@@ -43,8 +43,8 @@ std::filesystem::path Source(const std::string& relative);
 // The prefixes that test documents use: lares, owl, rdf, rdfs, xsd, and ':' for
 // https://example.org/test#.
 std::string Turtle(std::string_view body);
-std::string Test(std::string_view local);   // https://example.org/test#local
-std::string Lares(std::string_view local);  // https://w3id.org/lares#local
+std::string Example(std::string_view local);  // https://example.org/test#local
+std::string Lares(std::string_view local);    // https://w3id.org/lares#local
 
 // A recipe in Turtle. `steps`: name and the classes or restrictions above it.
 struct StepText {
