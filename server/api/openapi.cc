@@ -33,7 +33,8 @@ Json Operation(const http::Route& route, Json described) {
   for (const std::string& name : PathParameters(route.path)) {
     parameters.push_back(PathParameter(name));
   }
-  for (const Json& parameter : described.value("parameters", Json::array())) {
+  const Json more = described.value("parameters", Json::array());
+  for (const Json& parameter : more) {
     parameters.push_back(parameter);
   }
   described.erase("parameters");
@@ -102,10 +103,12 @@ std::vector<std::string> CheckOpenApi(const std::vector<http::Route>& routes) {
         faults.push_back(route.operation + " has no " + member);
       }
     }
-    for (const Json& tag : operation.value("tags", Json::array())) {
+    const Json own_tags = operation.value("tags", Json::array());
+    for (const Json& tag : own_tags) {
       if (!tags.contains(tag)) faults.push_back(route.operation + " has an unknown tag");
     }
-    for (const auto& [type, body] : operation.value("requestBody", Json::object()).items()) {
+    const Json bodies = operation.value("requestBody", Json::object());
+    for (const auto& [type, body] : bodies.items()) {
       if (std::find(route.consumes.begin(), route.consumes.end(), type) == route.consumes.end()) {
         faults.push_back(route.operation + " does not take " + type);
       }
