@@ -135,12 +135,16 @@ void UnderstandRecipe(prolog::EnginePool& engines, Incoming& incoming) {
 }
 
 void UnderstandRobot(prolog::EnginePool& engines, Incoming& incoming) {
-  incoming.answer.robots = recipes::FindRobots(engines, incoming.view, incoming.graph.name);
+  try {
+    incoming.answer.robots = recipes::FindRobots(engines, incoming.view, incoming.graph.name);
+  } catch (const Error& error) {
+    if (error.code() != Code::kInvalid || error.place()) throw;
+    Refuse(incoming, {error.what()});
+  }
   if (incoming.answer.robots.empty()) {
     throw Error(Code::kInvalid, "describes no robot: no individual is a Robot or has capabilities",
                 {incoming.source, 0, 0});
   }
-  Refuse(incoming, recipes::CheckRobot(engines, incoming.view, incoming.graph.name));
   for (const Resource& robot : incoming.answer.robots) {
     AddNames(robot, incoming.names);
     incoming.names.push_back({incoming.request.id, "id", robot.iri});

@@ -130,7 +130,8 @@ std::vector<ObjectModelInfo> Knowledge::ObjectModels(const std::string& class_na
        state_->store.ListDocuments(store::DocumentKind::kObjectModel)) {
     ObjectModelInfo info;
     bool fits = wanted.empty();
-    for (const auto& model : nlohmann::json::parse(document.details_json).at("models")) {
+    const auto details = nlohmann::json::parse(document.details_json);
+    for (const auto& model : details.at("models")) {
       const std::string iri = model.at("class").at("iri");
       info.classes.push_back(
           {iri, model.at("class").at("label"), model.at("class").at("as_written")});
