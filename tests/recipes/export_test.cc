@@ -225,7 +225,7 @@ TEST(TextExport, TellsThePlanAndTheRefusal) {
   const std::string refusal =
       recipes::ToText(LibraryPlan("fetch-drink", "FetchDrink", "scout").match);
   EXPECT_THAT(refusal, HasSubstr("cannot do fetch a drink"));
-  EXPECT_THAT(refusal, HasSubstr("It would be enough to add: "));
+  EXPECT_THAT(refusal, HasSubstr("The smallest repair is to add: "));
 }
 
 }  // namespace
