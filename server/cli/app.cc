@@ -41,9 +41,10 @@ int Run(int argc, const char* const* argv) {
         ->capture_default_str();
     app.add_flag("--json", options.json, "print the server's JSON");
     app.require_subcommand(1);
-    app.footer("Examples:\n  lares serve\n  lares plan FindBottle --robot pioneer\n"
-               "  lares where Cup\nEvery command has its own --help; see also lares help "
-               "exit-codes");
+    app.footer(
+        "Examples:\n  lares serve\n  lares plan FindBottle --robot pioneer\n"
+        "  lares where Cup\nEvery command has its own --help; see also lares help "
+        "exit-codes");
     AddServe(app, options);
     AddRecipe(app, options);
     AddRobot(app, options);

@@ -20,8 +20,8 @@ std::string Summary(const DocumentCommand& command, const Json& answer) {
                      std::to_string(answer.value("inferred", std::size_t{0})) + " inferred\n";
   for (const Json& task : answer.value("tasks", Json::array())) {
     if (!task.value("top_level", true)) continue;
-    text += "  task " + TextOf(task, "label") + " (" +
-            Plural(task.at("steps").size(), "step") + ", " + TextOf(task, "form") + ")\n";
+    text += "  task " + TextOf(task, "label") + " (" + Plural(task.at("steps").size(), "step") +
+            ", " + TextOf(task, "form") + ")\n";
   }
   for (const Json& robot : answer.value("robots", Json::array())) {
     text += "  robot " + TextOf(robot, "label") + " <" + TextOf(robot, "iri") + ">\n";
@@ -54,8 +54,9 @@ Json PutOne(Remote& remote, const DocumentCommand& command, const std::filesyste
 std::string IdFor(const std::filesystem::path& file, const std::string& id) {
   const std::string chosen = id.empty() ? file.stem().string() : id;
   if (IsIdentifier(chosen)) return chosen;
-  throw Error(Code::kInvalid, "'" + chosen + "' is no id: 1 to 128 of A-Z a-z 0-9 . _ -, the "
-                                             "first not . or -")
+  throw Error(Code::kInvalid, "'" + chosen +
+                                  "' is no id: 1 to 128 of A-Z a-z 0-9 . _ -, the "
+                                  "first not . or -")
       .WithHint("give one with --id");
 }
 
@@ -132,10 +133,10 @@ void AddDocumentCommands(CLI::App& app, const DocumentCommand& command, const Op
   const std::string stem = std::filesystem::path(example_file).stem().string();
   const std::string lares = "  lares " + command.noun + " ";
 
-  auto* put = AddCommand(app, "put", "Store " + command.noun + " files",
-                         lares + "put " + example_file + "\n" + lares + "put --recover " +
-                             example_file + "\n" + lares + "put --id my-" + stem + " " +
-                             example_file);
+  auto* put =
+      AddCommand(app, "put", "Store " + command.noun + " files",
+                 lares + "put " + example_file + "\n" + lares + "put --recover " + example_file +
+                     "\n" + lares + "put --id my-" + stem + " " + example_file);
   auto put_options = std::make_shared<PutOptions>();
   put->add_option("FILE", put_options->files, "RDF files; the id is the file's stem")->required();
   put->add_option("--id", put_options->id, "another id (with one file)");

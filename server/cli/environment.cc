@@ -37,8 +37,8 @@ std::string FormatVersion(const Json& version) {
     const std::string name = TextOf(layer, "name");
     const bool is_new = std::find(changed.begin(), changed.end(), name) != changed.end();
     text += std::string(is_new ? "  * " : "    ") + name + "  " +
-            FormatBytes(layer.value("size", std::uint64_t{0})) + "  " +
-            TextOf(layer, "file_name") + "\n";
+            FormatBytes(layer.value("size", std::uint64_t{0})) + "  " + TextOf(layer, "file_name") +
+            "\n";
   }
   return text;
 }

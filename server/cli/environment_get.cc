@@ -75,8 +75,9 @@ void CheckTarget(const fs::path& out) {
 // The finished folder takes the place of `out` in one step.
 void Publish(const fs::path& finished, const fs::path& out) {
   const fs::path ready = finished / "content";
-  fs::permissions(ready, fs::perms::others_read | fs::perms::others_exec |
-                             fs::perms::group_read | fs::perms::group_exec,
+  fs::permissions(ready,
+                  fs::perms::others_read | fs::perms::others_exec | fs::perms::group_read |
+                      fs::perms::group_exec,
                   fs::perm_options::add);
   if (fs::exists(out)) fs::rename(out, finished / "before");
   fs::rename(ready, out);
@@ -122,9 +123,8 @@ void Get(const GetOptions& get, const Options& options) {
   WriteFileAtomically(folder / api::kManifestFile, manifest.dump(2) + "\n");
   Publish(temporary.path(), target);
   if (options.json) return PrintJson(manifest);
-  Print("environment " + get.id + ", version " +
-        std::to_string(manifest.value("number", 0)) + ", in " + get.out + "\n" + text + "  " +
-        api::kManifestFile + "\n");
+  Print("environment " + get.id + ", version " + std::to_string(manifest.value("number", 0)) +
+        ", in " + get.out + "\n" + text + "  " + api::kManifestFile + "\n");
 }
 
 }  // namespace
@@ -136,8 +136,7 @@ void AddEnvironmentGet(CLI::App& environment, const Options& options) {
                  "  lares environment get hospital-room --version 1 --layer octomap --out room");
   auto get = std::make_shared<GetOptions>();
   command->add_option("ID", get->id)->required();
-  command->add_option("--version", get->version, "default: the newest")
-      ->check(CLI::PositiveNumber);
+  command->add_option("--version", get->version, "default: the newest")->check(CLI::PositiveNumber);
   command->add_option("--layer", get->layers, "only this one; may be repeated");
   command->add_option("--out", get->out, "folder to write; appears whole or not at all")
       ->required();

@@ -39,8 +39,7 @@ void PackGrid(const fs::path& yaml, const fs::path& archive) {
   const std::string bytes = ReadFile(image, kMaxImageBytes);
   std::ofstream out(archive, std::ios::binary | std::ios::trunc);
   const std::string image_name = image.filename().string();
-  Add(out, yaml.filename().string(),
-      map.image == image_name ? text : WithImage(text, image_name));
+  Add(out, yaml.filename().string(), map.image == image_name ? text : WithImage(text, image_name));
   Add(out, image_name, bytes);
   out << api::TarEnd();
   out.close();

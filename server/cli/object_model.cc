@@ -48,9 +48,8 @@ void PutModel(const std::vector<std::string>& files, const std::string& id, bool
   if (options.json) return PrintJson(answer);
   const Json& document = answer.at("document");
   Print("object model " + TextOf(document, "id") + ", version " +
-        std::to_string(document.value("version", 0)) + ", " +
-        Plural(files.size() - 1, "file") + "\n" +
-        FormatRemarks(answer.at("repairs"), "  repaired:") +
+        std::to_string(document.value("version", 0)) + ", " + Plural(files.size() - 1, "file") +
+        "\n" + FormatRemarks(answer.at("repairs"), "  repaired:") +
         FormatRemarks(answer.at("warnings"), "  warnings:"));
 }
 

@@ -84,8 +84,7 @@ void AddPlan(CLI::App& app, const Options& options) {
   command->add_option("--environment", plan->environment, "where it is to be done");
   command->add_option("--version", plan->version, "of the environment (default: the newest)")
       ->check(CLI::PositiveNumber);
-  command->add_flag("--strict", plan->strict,
-                    "do not take a capability on the robot maker's word");
+  command->add_flag("--strict", plan->strict, "do not take a capability on the robot maker's word");
   command->add_option("--as", plan->as, "text, json, bt-xml (BehaviorTree.CPP 4) or dot")
       ->check(CLI::IsMember({"text", "json", "bt-xml", "dot"}))
       ->capture_default_str();

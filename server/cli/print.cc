@@ -72,8 +72,7 @@ std::string TextOf(const Json& json, const std::string& name) {
 }
 
 void Print(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() ||
-      std::fflush(stdout) != 0) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
     throw Error(Code::kIo, "cannot write to standard output");
   }
 }
@@ -89,8 +88,8 @@ std::string FormatRemarks(const Json& remarks, const std::string& heading) {
     std::string where;
     if (remark.contains("place")) {
       const Json& place = remark["place"];
-      where = ToString(Place{TextOf(place, "source"), place.value("line", 0),
-                             place.value("column", 0)});
+      where = ToString(
+          Place{TextOf(place, "source"), place.value("line", 0), place.value("column", 0)});
     }
     text += "  " + (where.empty() ? "" : where + ": ") + TextOf(remark, "message") + "\n";
   }

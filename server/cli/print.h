@@ -14,8 +14,8 @@ using Json = nlohmann::ordered_json;
 std::string FormatTable(const std::vector<std::string>& heads,
                         const std::vector<std::vector<std::string>>& rows);
 
-std::string FormatPercent(double probability);    // "72.8 %"
-std::string FormatBytes(std::uint64_t bytes);     // "12.3 MB"
+std::string FormatPercent(double probability);                   // "72.8 %"
+std::string FormatBytes(std::uint64_t bytes);                    // "12.3 MB"
 std::string Plural(std::size_t count, const std::string& noun);  // "1 step", "2 steps"
 // "2026-01-31T12:00:00.000Z" → "2026-01-31 12:00"
 std::string FormatTime(const std::string& rfc3339);
@@ -23,7 +23,7 @@ std::string FormatTime(const std::string& rfc3339);
 // A text member, "" when it is absent or no text.
 std::string TextOf(const Json& json, const std::string& name);
 
-void Print(const std::string& text);   // to standard output; throws kIo when that fails
+void Print(const std::string& text);  // to standard output; throws kIo when that fails
 void PrintJson(const Json& json);
 
 // Lists of {message, place?} under a heading, nothing when empty.

@@ -26,21 +26,23 @@ void AddPrior(CLI::App& app, const Options& options) {
   auto format = std::make_shared<std::string>();
   auto name = std::make_shared<std::string>();
   import->add_option("FILE", *file)->required();
-  import->add_option("--format", *format, "omics: RDF of OMICS statements; tsv: columns object, "
-                                          "place, count, source")
+  import
+      ->add_option("--format", *format,
+                   "omics: RDF of OMICS statements; tsv: columns object, "
+                   "place, count, source")
       ->required()
       ->check(CLI::IsMember({"omics", "tsv"}));
   import->add_option("--name", *name, "its name (default: omics for omics, else the file's stem)");
   import->callback([=, &options] {
     PutOptions put;
-    put.files = {*file};
-    put.id = name->empty() && *format == "omics" ? "omics" : *name;
-    put.query.emplace("format", *format);
-    PutDocuments(kPriors, put, options);
-  });
+  put.files = {*file};
+  put.id = name->empty() && *format == "omics" ? "omics" : *name;
+  put.query.emplace("format", *format);
+  PutDocuments(kPriors, put, options);
+});
 
-  auto* list = AddCommand(*prior, "list", "List the stored tables", "  lares prior list");
-  list->callback([&options] { ListDocuments(kPriors, options); });
-}
+auto* list = AddCommand(*prior, "list", "List the stored tables", "  lares prior list");
+list->callback([&options] { ListDocuments(kPriors, options); });
+}  // namespace lares::cli
 
 }  // namespace lares::cli

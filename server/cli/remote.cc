@@ -25,10 +25,10 @@ int Number(const Json& place, const char* name) {
   }
   RemoteError error(Text(document, "code"), Text(document, "detail"), response.body);
   if (const auto place = document.find("place"); place != document.end() && place->is_object()) {
-    error = RemoteError(Text(document, "code"), Text(document, "detail"),
-                        Place{Text(*place, "source"), Number(*place, "line"),
-                              Number(*place, "column")},
-                        response.body);
+    error =
+        RemoteError(Text(document, "code"), Text(document, "detail"),
+                    Place{Text(*place, "source"), Number(*place, "line"), Number(*place, "column")},
+                    response.body);
   }
   error.WithHint(Text(document, "hint"));
   std::vector<std::string> candidates;
@@ -44,8 +44,7 @@ int Number(const Json& place, const char* name) {
 
 }  // namespace
 
-RemoteError::RemoteError(std::string problem_code, const std::string& message,
-                         std::string document)
+RemoteError::RemoteError(std::string problem_code, const std::string& message, std::string document)
     : Error(Code::kInvalid, message),
       problem_code_(std::move(problem_code)),
       document_(std::move(document)) {}

@@ -34,8 +34,7 @@ class Remote {
   // The answer of a 2xx; else throws RemoteError, or as http::Client::Send does.
   http::ClientResponse Send(const http::ClientRequest& request,
                             const http::Transfer& transfer = {});
-  Json GetJson(const std::string& path,
-               const std::multimap<std::string, std::string>& query = {});
+  Json GetJson(const std::string& path, const std::multimap<std::string, std::string>& query = {});
   // Every page of a list as one: {"items": […], "count": n}.
   Json GetList(const std::string& path, std::multimap<std::string, std::string> query = {});
 

@@ -12,8 +12,8 @@ namespace lares::cli {
 TemporaryFolder::TemporaryFolder(const std::filesystem::path& parent, const std::string& prefix) {
   std::string name = (parent / (prefix + "XXXXXX")).string();
   if (::mkdtemp(name.data()) == nullptr) {
-    throw Error(Code::kIo, "cannot make a folder in '" + parent.string() +
-                               "': " + std::strerror(errno));
+    throw Error(Code::kIo,
+                "cannot make a folder in '" + parent.string() + "': " + std::strerror(errno));
   }
   path_ = name;
 }

@@ -46,8 +46,9 @@ std::string Format(const Json& answer, std::size_t limit) {
   const Json& prior = answer.at("prior");
   const std::string title = TextOf(prior, "title");
   std::string text = FormatSeen(answer.at("seen"));
-  const std::string from = "by table '" + TextOf(prior, "name") + "'" +
-                           (title.empty() || title == TextOf(prior, "name") ? "" : " (" + title + ")");
+  const std::string from =
+      "by table '" + TextOf(prior, "name") + "'" +
+      (title.empty() || title == TextOf(prior, "name") ? "" : " (" + title + ")");
   const std::string object = TextOf(answer.at("object"), "label");
   const std::string ranked =
       FormatRanked(answer.at("rooms"), object + ": likely rooms, " + from, limit) +
