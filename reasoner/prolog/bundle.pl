@@ -19,6 +19,9 @@ run([save, Out|Files]) :-
     set_prolog_flag(autoload, true),
     use_module(library(qsave), [qsave_program/2]),
     set_prolog_flag(autoload, false),
+    % Flags are saved: the bundler's own `halt` would end the server at the first message.
+    set_prolog_flag(on_error, print),
+    set_prolog_flag(on_warning, print),
     % Class `development`, since a `runtime` state ignores the options that keep Prolog's hands off
     % signals.
     Options = [ class(development), stand_alone(false), autoload(false), foreign(no_save),

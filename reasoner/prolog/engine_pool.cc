@@ -10,6 +10,7 @@
 #include "reasoner/prolog/goal.h"
 #include "reasoner/prolog/runtime.h"
 #include "reasoner/prolog/terms.h"
+#include "reasoner/prolog/thread_engine.h"
 #include "reasoner/prolog/watchdog.h"
 
 namespace lares::prolog {
@@ -98,7 +99,7 @@ class Query {
     const int status = PL_next_solution(id_);
     if (status != PL_S_EXCEPTION) return status;
     const term_t exception = PL_exception(id_);
-    if (Clock::now() >= deadline && TextOf(exception) == "time_limit_exceeded") {
+    if (Clock::now() >= deadline && TextOf(exception) == kDeadlineBall) {
       throw Error(Code::kTimeout, "a rule took longer than it may");
     }
     throw ErrorOf(exception);
@@ -139,62 +140,39 @@ void Run(const std::string& module, const std::string& predicate, const std::vec
 // ---- The pool ----------------------------------------------------------------------------------
 
 struct EnginePool::State {
-  explicit State(const Options& wanted) : options(wanted), watchdog(StartProlog()) {
-    for (int i = 0; i < options.engines; ++i) free.push_back(Create());
-  }
-  ~State() {
-    for (const PL_engine_t engine : free) PL_destroy_engine(engine);
-  }
-
-  PL_engine_t Create() const {
-    PL_thread_attr_t attributes{};
-    attributes.stack_limit = options.stack_limit_bytes;
-    attributes.flags = PL_THREAD_NO_DEBUG;
-    const PL_engine_t engine = PL_create_engine(&attributes);
-    if (engine == nullptr) throw Error(Code::kUnavailable, "Prolog gives no further engine");
-    return engine;
-  }
-
-  PL_engine_t Take(Clock::time_point deadline) {
-    std::unique_lock lock(mutex);
-    if (!freed.wait_until(lock, deadline, [&] { return !free.empty(); })) {
-      throw Error(Code::kTimeout, "every Prolog engine was busy for too long");
-    }
-    const PL_engine_t engine = free.back();
-    free.pop_back();
-    return engine;
-  }
-
-  void GiveBack(PL_engine_t engine) {
-    {
-      const std::lock_guard lock(mutex);
-      free.push_back(engine);
-    }
-    freed.notify_one();
-  }
+  explicit State(const Options& wanted)
+      : options(wanted), watchdog(StartProlog()), free(wanted.engines) {}
 
   const Options options;
   Watchdog watchdog;
   std::mutex mutex;
   std::condition_variable freed;
-  std::vector<PL_engine_t> free;  // most recently used last
+  int free;  // goals that may start now
 };
 
 namespace {
 
-// An engine of the pool, attached to the calling thread.
+// Engines that wait on their threads for a next goal; beyond it a thread gives its own back.
+constexpr int kIdleEngines = 32;
+
+// Leave to run a goal, and an engine of the calling thread to run it on.
 template <typename Pool>
 class Lease {
  public:
-  Lease(Pool& pool, Clock::time_point deadline) : pool_(pool), engine_(pool.Take(deadline)) {
-    if (PL_set_engine(engine_, &previous_) == PL_ENGINE_SET) return;
-    pool_.GiveBack(engine_);
-    throw Error(Code::kInternal, "a Prolog engine cannot be attached");
+  Lease(Pool& pool, Clock::time_point deadline) : pool_(pool) {
+    std::unique_lock lock(pool_.mutex);
+    if (!pool_.freed.wait_until(lock, deadline, [&] { return pool_.free > 0; })) {
+      throw Error(Code::kTimeout, "every Prolog engine was busy for too long");
+    }
+    --pool_.free;
   }
   ~Lease() {
-    PL_set_engine(previous_, nullptr);
-    if (is_spent_) Renew();
-    pool_.GiveBack(engine_);
+    if (is_spent_ || LiveThreadEngines() > kIdleEngines) DropThreadEngine();
+    {
+      const std::lock_guard lock(pool_.mutex);
+      ++pool_.free;
+    }
+    pool_.freed.notify_one();
   }
   Lease(const Lease&) = delete;
   Lease& operator=(const Lease&) = delete;
@@ -203,19 +181,7 @@ class Lease {
   void MarkSpent() { is_spent_ = true; }
 
  private:
-  void Renew() {
-    try {
-      const PL_engine_t fresh = pool_.Create();
-      PL_destroy_engine(engine_);
-      engine_ = fresh;
-    } catch (const Error&) {
-      // The old one still works.
-    }
-  }
-
   Pool& pool_;
-  PL_engine_t engine_;
-  PL_engine_t previous_ = nullptr;
   bool is_spent_ = false;
 };
 
@@ -226,6 +192,7 @@ void Solve(Pool& pool, const rdf::View& view, const std::string& module,
   if (CurrentGoal() != nullptr) throw Error(Code::kInternal, "a goal was started inside a goal");
   const Clock::time_point deadline = Clock::now() + limits.time;
   Lease<Pool> lease(pool, deadline);
+  AttachThreadEngine(pool.options.stack_limit_bytes);
   const Goal goal{std::make_shared<const rdf::View>(view), TermCache::For(view.shared_dictionary()),
                   deadline};
   const GoalScope scope(goal);

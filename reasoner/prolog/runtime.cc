@@ -8,6 +8,7 @@
 #include "reasoner/prolog/bundled_rules.h"
 #include "reasoner/prolog/goal.h"
 #include "reasoner/prolog/rdf_predicates.h"
+#include "reasoner/prolog/thread_engine.h"
 
 namespace lares::prolog {
 namespace {
@@ -17,7 +18,7 @@ void OnDeadline(int /*signal*/) {
   const Goal* goal = CurrentGoal();
   if (goal == nullptr || std::chrono::steady_clock::now() < goal->deadline) return;
   const term_t exception = PL_new_term_ref();
-  if (PL_put_atom_chars(exception, "time_limit_exceeded")) PL_raise_exception(exception);
+  if (PL_put_atom_chars(exception, kDeadlineBall)) PL_raise_exception(exception);
 }
 
 int InstallDeadlineSignal() {
@@ -55,12 +56,10 @@ int StartProlog() {
 
 void LoadRuleFile(const std::filesystem::path& file) {
   static std::mutex mutex;
+  constexpr std::size_t kStackLimit = 256u << 20;
   StartProlog();
   const std::lock_guard lock(mutex);
-  PL_engine_t previous = nullptr;
-  if (PL_set_engine(PL_ENGINE_MAIN, &previous) != PL_ENGINE_SET) {
-    throw Error(Code::kInternal, "Prolog's first engine is in use");
-  }
+  AttachThreadEngine(kStackLimit);
   const fid_t frame = PL_open_foreign_frame();
   const term_t argument = PL_new_term_ref();
   const std::string path = file.string();
@@ -68,7 +67,6 @@ void LoadRuleFile(const std::filesystem::path& file) {
                       PL_call_predicate(nullptr, PL_Q_NODEBUG | PL_Q_CATCH_EXCEPTION,
                                         PL_predicate("load_test_file", 1, "edge"), argument);
   PL_discard_foreign_frame(frame);
-  PL_set_engine(previous, nullptr);
   if (!loaded) throw Error(Code::kInvalid, "the rule file did not load", Place{path});
 }
 

@@ -10,6 +10,9 @@ namespace lares::prolog {
 // engine attached to the calling thread. Throws kInternal when Prolog does not start.
 int StartProlog();
 
+// What a goal throws when its time is over. Prolog throws this one anew after every catch/3.
+inline constexpr const char* kDeadlineBall = "$aborted";
+
 // Loads a Prolog file from disk into the running system, over the bundled rules. For tests.
 void LoadRuleFile(const std::filesystem::path& file);
 

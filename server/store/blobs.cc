@@ -1,0 +1,180 @@
+#include "server/store/blobs.h"
+
+#include <fstream>
+#include <optional>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/hash.h"
+
+namespace lares::store {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error NoBlob(const std::string& sha256) {
+  return Error(Code::kNotFound, "there is no blob '" + sha256.substr(0, 80) + "'");
+}
+
+std::string HashOfFile(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string buffer(1 << 20, '\0');
+  Sha256 hash;
+  while (file) {
+    file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+    hash.Update(std::string_view(buffer.data(), static_cast<std::size_t>(file.gcount())));
+  }
+  return file.eof() ? hash.FinishHex() : "";
+}
+
+}  // namespace
+
+// Appended bytes go straight to the file. A failed write ends the store's writing, so nothing here
+// needs to be tried again.
+class BlobFolder::Writer final : public BlobWriter {
+ public:
+  Writer(BlobFolder& folder, fs::path path)
+      : folder_(folder), path_(std::move(path)), file_(folder.files_.Create(path_)) {}
+
+  ~Writer() override {
+    if (committed_) return;
+    file_.reset();
+    try {
+      folder_.files_.Remove(path_);
+    } catch (const std::system_error&) {
+      // The next opening empties the folder.
+    }
+  }
+
+  void Append(std::string_view bytes) override {
+    CheckOpen();
+    folder_.health_.Check();
+    folder_.health_.Guard([&] { file_->Append(bytes); });
+    hash_.Update(bytes);
+    size_ += bytes.size();
+  }
+
+  Blob Commit() override {
+    CheckOpen();
+    folder_.health_.Check();
+    Blob blob{hash_.FinishHex(), size_};
+    folder_.health_.Guard([&] { Move(blob.sha256); });
+    return blob;
+  }
+
+  fs::path path() const override { return path_; }
+  void Flush() override { CheckOpen(); }
+
+ private:
+  void CheckOpen() const {
+    if (!file_) throw Error(Code::kInternal, "a blob was used after its commit");
+  }
+
+  // A blob that is there already is replaced by these same bytes: that also mends a damaged one.
+  void Move(const std::string& sha256) {
+    const auto file = std::move(file_);
+    file->Sync();
+    folder_.PrepareSubfolder(sha256);
+    const fs::path place = folder_.Place(sha256);
+    folder_.files_.Rename(path_, place);
+    committed_ = true;
+    folder_.files_.SyncFolder(place.parent_path());
+    folder_.files_.SyncFolder(path_.parent_path());
+  }
+
+  BlobFolder& folder_;
+  fs::path path_;
+  std::unique_ptr<OutputFile> file_;
+  Sha256 hash_;
+  std::uint64_t size_ = 0;
+  bool committed_ = false;
+};
+
+BlobFolder::BlobFolder(const fs::path& folder, Files& files, Health& health)
+    : blobs_(folder / "blobs"), incoming_(folder / "incoming"), files_(files), health_(health) {
+  files_.MakeFolder(blobs_);
+  files_.MakeFolder(incoming_);
+  for (const fs::directory_entry& left : fs::directory_iterator(incoming_)) {
+    files_.Remove(left.path());
+  }
+  files_.SyncFolder(folder);
+}
+
+std::unique_ptr<BlobWriter> BlobFolder::New() {
+  health_.Check();
+  fs::path path;
+  {
+    const std::lock_guard lock(mutex_);
+    path = incoming_ / std::to_string(++next_name_);
+  }
+  return health_.Guard([&] { return std::make_unique<Writer>(*this, path); });
+}
+
+Blob BlobFolder::Put(std::string_view bytes) {
+  const std::unique_ptr<BlobWriter> writer = New();
+  writer->Append(bytes);
+  return writer->Commit();
+}
+
+fs::path BlobFolder::Place(const std::string& sha256) const {
+  return blobs_ / sha256.substr(0, 2) / sha256.substr(2);
+}
+
+fs::path BlobFolder::PathOf(const std::string& sha256) const {
+  if (!IsSha256Hex(sha256)) throw NoBlob(sha256);
+  fs::path place = Place(sha256);
+  std::error_code error;
+  if (!fs::is_regular_file(place, error)) throw NoBlob(sha256);
+  return place;
+}
+
+std::uint64_t BlobFolder::SizeOf(const std::string& sha256) const {
+  std::error_code error;
+  const std::uint64_t size = fs::file_size(PathOf(sha256), error);
+  if (error) throw Error(Code::kIo, "cannot read blob '" + sha256 + "': " + error.message());
+  return size;
+}
+
+std::string BlobFolder::Read(const std::string& sha256) const {
+  std::string bytes = ReadFile(PathOf(sha256));
+  if (Sha256Hex(bytes) != sha256) {
+    throw Error(Code::kIo, "blob '" + sha256 + "' is damaged: its bytes have another hash")
+        .WithHint("put the same file again; that replaces the damaged one");
+  }
+  return bytes;
+}
+
+void BlobFolder::PrepareSubfolder(const std::string& sha256) {
+  const auto number = static_cast<std::size_t>(std::stoi(sha256.substr(0, 2), nullptr, 16));
+  {
+    const std::lock_guard lock(mutex_);
+    if (prepared_[number]) return;
+  }
+  const fs::path subfolder = Place(sha256).parent_path();
+  files_.MakeFolder(subfolder);
+  files_.SyncFolder(subfolder);
+  files_.SyncFolder(blobs_);
+  const std::lock_guard lock(mutex_);
+  prepared_[number] = true;
+}
+
+void BlobFolder::MakeDurable(const std::string& sha256) {
+  health_.Guard([&] { PrepareSubfolder(sha256); });
+}
+
+std::vector<std::string> BlobFolder::Verify() const {
+  std::vector<std::string> problems;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(blobs_)) {
+    if (entry.is_directory()) continue;
+    const std::string name =
+        entry.path().parent_path().filename().string() + entry.path().filename().string();
+    if (!IsSha256Hex(name) || Place(name) != entry.path()) {
+      problems.push_back("'" + entry.path().string() + "' is no blob");
+    } else if (HashOfFile(entry.path()) != name) {
+      problems.push_back("blob '" + name + "' is damaged: its bytes have another hash");
+    }
+  }
+  return problems;
+}
+
+}  // namespace lares::store

@@ -1,0 +1,53 @@
+// The folder of blobs: blobs/ab/cdef… named by SHA-256, written in incoming/ first.
+#pragma once
+
+#include <bitset>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "server/store/files.h"
+#include "server/store/health.h"
+#include "server/store/store.h"
+
+namespace lares::store {
+
+// All members are thread-safe. A blob is never changed and never removed.
+class BlobFolder {
+ public:
+  // Creates blobs/ and incoming/ in `folder` and empties incoming/.
+  BlobFolder(const std::filesystem::path& folder, Files& files, Health& health);
+
+  std::unique_ptr<BlobWriter> New();
+  Blob Put(std::string_view bytes);
+
+  std::filesystem::path PathOf(const std::string& sha256) const;  // kNotFound
+  std::uint64_t SizeOf(const std::string& sha256) const;          // kNotFound
+  std::string Read(const std::string& sha256) const;
+
+  // Makes sure that a blob found here is also there after a power cut: one that was renamed just
+  // before a crash may be visible without being durable.
+  void MakeDurable(const std::string& sha256);
+
+  // One sentence for each file that is not what its name says.
+  std::vector<std::string> Verify() const;
+
+ private:
+  class Writer;
+  std::filesystem::path Place(const std::string& sha256) const;
+  // The blob's sub-folder, itself durable.
+  void PrepareSubfolder(const std::string& sha256);
+
+  std::filesystem::path blobs_;
+  std::filesystem::path incoming_;
+  Files& files_;
+  Health& health_;
+  std::mutex mutex_;
+  std::bitset<256> prepared_;  // sub-folders synced by this process
+  std::uint64_t next_name_ = 0;
+};
+
+}  // namespace lares::store

@@ -1,0 +1,42 @@
+#include "server/store/health.h"
+
+namespace lares::store {
+namespace {
+
+Error Unavailable(const std::string& reason) {
+  return Error(Code::kUnavailable, "the store accepts no writes: " + reason)
+      .WithHint("mend the storage (space, disk, rights), then restart; reading goes on meanwhile");
+}
+
+}  // namespace
+
+void Health::Check() const {
+  const std::string why = reason();
+  if (!why.empty()) throw Unavailable(why);
+}
+
+void Health::Fail(const std::string& reason) {
+  const std::lock_guard lock(mutex_);
+  if (reason_.empty()) reason_ = reason;
+}
+
+std::string Health::reason() const {
+  const std::lock_guard lock(mutex_);
+  return reason_;
+}
+
+Error Health::Judge(const std::system_error& error) {
+  const bool passes = error.code() == std::errc::too_many_files_open ||
+                      error.code() == std::errc::too_many_files_open_in_system;
+  if (passes) return Error(Code::kUnavailable, error.what());
+  Fail(error.what());
+  return Unavailable(error.what());
+}
+
+Error Health::Judge(const Error& error) {
+  if (error.code() != Code::kIo && error.code() != Code::kUnavailable) return error;
+  Fail(error.what());
+  return Unavailable(error.what());
+}
+
+}  // namespace lares::store

@@ -1,0 +1,27 @@
+#include "server/store/store.h"
+
+#include "server/store/sqlite_store.h"
+
+namespace lares::store {
+
+std::string_view ToString(DocumentKind kind) {
+  switch (kind) {
+    case DocumentKind::kOntology:
+      return "ontology";
+    case DocumentKind::kRecipe:
+      return "recipe";
+    case DocumentKind::kRobot:
+      return "robot";
+    case DocumentKind::kObjectModel:
+      return "object-model";
+    case DocumentKind::kPrior:
+      return "prior";
+  }
+  return "ontology";
+}
+
+std::unique_ptr<Store> OpenSqliteStore(const StoreOptions& options) {
+  return OpenSqliteStore(options, Seams{});
+}
+
+}  // namespace lares::store

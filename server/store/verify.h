@@ -1,0 +1,16 @@
+// Whether what the database says agrees with itself and with the blobs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "server/store/blobs.h"
+#include "server/store/sqlite.h"
+
+namespace lares::store {
+
+// One sentence for each thing that is wrong. Runs in the caller's transaction; the bytes of blobs
+// are BlobFolder::Verify's part.
+std::vector<std::string> VerifyDatabase(Database& database, const BlobFolder& blobs);
+
+}  // namespace lares::store
