@@ -131,7 +131,7 @@ TEST(OmicsPriorTest, EachIndividualCountsOne) {
 
 TEST(OmicsPriorTest, IncompleteIndividualsAreNamedWithTheirLine) {
   const auto refused = [](const std::string& individual) {
-    return Refused(PriorFormat::kOmics, Omics(Individual("O-1", "Cup", "Kitchen") + individual));
+    return Refused(PriorFormat::kOmics, Omics(Individual("O-20", "Cup", "Kitchen") + individual));
   };
   EXPECT_THAT(refused(Individual("O-2", "", "Kitchen")),
               HasSubstr("table:6: <http://knowrob.org/kb/knowrob.owl#O-2> has no subject"));
