@@ -1,8 +1,10 @@
-// Sets of bytes, and fast search for one of them.
+// Fast looks at bytes: sets of them, search for one, and whether all are ASCII.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <string_view>
 
 namespace lares::rdf {
@@ -22,5 +24,18 @@ class ByteSet {
  private:
   std::array<bool, 256> has_{};
 };
+
+inline bool IsAscii(std::string_view text) {
+  constexpr std::uint64_t kHighBits = 0x8080808080808080u;
+  std::uint64_t seen = 0;
+  while (text.size() >= sizeof seen) {
+    std::uint64_t word;
+    std::memcpy(&word, text.data(), sizeof word);
+    seen |= word;
+    text.remove_prefix(sizeof word);
+  }
+  for (const char c : text) seen |= static_cast<unsigned char>(c);
+  return (seen & kHighBits) == 0;
+}
 
 }  // namespace lares::rdf

@@ -11,12 +11,12 @@
 #include <unordered_map>
 
 #include "base/text.h"
-#include "ontology/rdf/byte_set.h"
 #include "ontology/rdf/document_builder.h"
 #include "ontology/rdf/iri_resolve.h"
 #include "ontology/rdf/parsers.h"
 #include "ontology/rdf/position.h"
 #include "ontology/rdf/term_checks.h"
+#include "ontology/rdf/text_lines.h"
 #include "ontology/rdf/turtle_prescan.h"
 
 namespace lares::rdf {
@@ -24,7 +24,6 @@ namespace {
 
 constexpr std::size_t kPageBytes = 1 << 16;
 constexpr std::size_t kExact = 1;
-constexpr ByteSet kLineEnds("\r\n");
 
 struct SerdReaderDeleter {
   void operator()(SerdReader* reader) const { serd_reader_free(reader); }
@@ -310,34 +309,6 @@ Document ReadRelabelled(std::string_view bytes, Format format, const ReadOptions
   if (!pass.failed()) return pass.Finish();
   const std::size_t offset = relabelled.OriginalOffset(pass.FaultOffset());
   throw WithPlace(pass.Fault(), PlaceAt(bytes, offset, options.source));
-}
-
-// Where `text` has something else than white space and comments.
-std::size_t SkipBlank(std::string_view text) {
-  std::size_t at = 0;
-  while ((at = text.find_first_not_of(" \t\r\n", at)) != std::string_view::npos) {
-    if (text[at] != '#') return at;
-    at = kLineEnds.Find(text, at);
-  }
-  return text.size();
-}
-
-// Calls `visit(begin, line)` for each line that has a statement or part of one.
-template <typename Visit>
-void ForEachLine(std::string_view text, Visit&& visit) {
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = kLineEnds.Find(text, begin);
-    const std::string_view line = text.substr(begin, end - begin);
-    const std::size_t first = line.find_first_not_of(" \t");
-    if (first != std::string_view::npos && line[first] != '#') visit(begin, line);
-    begin = end + 1;
-  }
-}
-
-std::size_t CountLines(std::string_view text) {
-  std::size_t lines = 0;
-  ForEachLine(text, [&](std::size_t, std::string_view) { ++lines; });
-  return lines;
 }
 
 bool HasStatements(std::string_view text, std::size_t count, Format format,
