@@ -59,3 +59,15 @@ function(lares_add_folder NAME)
     add_subdirectory(${NAME})
   endif()
 endfunction()
+
+# lares_plt_test(NAME PLT … FACTS …): a file of Prolog tests, run by ctest as NAME over the facts of
+# N-Triples files (tests/prolog_test_runner.cc says how). Paths are relative to the calling folder.
+function(lares_plt_test NAME)
+  cmake_parse_arguments(ARG "" "PLT" "FACTS" ${ARGN})
+  list(TRANSFORM ARG_FACTS PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
+  add_test(NAME ${NAME}
+           COMMAND prolog_test_runner "${CMAKE_CURRENT_SOURCE_DIR}/${ARG_PLT}" ${ARG_FACTS})
+  # Prolog's threads do without alternative signal stacks, and it keeps its memory to the end.
+  set_tests_properties(${NAME} PROPERTIES
+    TIMEOUT 60 ENVIRONMENT "ASAN_OPTIONS=use_sigaltstack=0:detect_leaks=0")
+endfunction()

@@ -19,7 +19,7 @@ inline std::filesystem::path DataFolder() {
 
 // `path` under LARES_DATA. Without LARES_DATA the test is skipped, visibly; with it, a missing file
 // is a failure.
-#define LARES_REQUIRE_DATA(variable, relative)                                            \
-  const std::filesystem::path variable = ::lares::testing::DataFolder() / (relative);     \
-  if (::lares::testing::DataFolder().empty()) GTEST_SKIP() << "LARES_DATA is not set";    \
+#define LARES_REQUIRE_DATA(variable, relative)                                         \
+  const std::filesystem::path variable = ::lares::testing::DataFolder() / (relative);  \
+  if (::lares::testing::DataFolder().empty()) GTEST_SKIP() << "LARES_DATA is not set"; \
   ASSERT_TRUE(std::filesystem::exists(variable)) << variable << " is missing in LARES_DATA"

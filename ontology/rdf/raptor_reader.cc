@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "base/text.h"
@@ -100,8 +101,8 @@ std::string_view TextOf(const unsigned char* text, std::size_t length) {
 
 class RaptorPass {
  public:
-  RaptorPass(std::string_view bytes, const ReadOptions& options)
-      : bytes_(bytes), options_(options), builder_(Format::kRdfXml, options) {}
+  RaptorPass(std::string_view bytes, const XmlSummary& summary, const ReadOptions& options)
+      : bytes_(bytes), summary_(summary), options_(options), builder_(Format::kRdfXml, options) {}
 
   Document Run();
 
@@ -115,15 +116,20 @@ class RaptorPass {
   void Fail();
   void CheckBase(std::string_view iri) const;
   std::uint32_t TermOf(const raptor_term& term);
-  // The tag that ends on `line` or last before it: Raptor knows lines only.
+  std::uint32_t ObjectOf(const raptor_term& term, std::uint32_t predicate);
+  std::string_view LanguageOfAttribute(std::string_view predicate, std::string_view value);
+  int Line() const;
+  // The first tag on `line` or the last before it: Raptor knows lines only.
   Place PlaceOfTag(int line) const;
   Place Here() const;
 
   std::string_view bytes_;
+  const XmlSummary& summary_;
   const ReadOptions& options_;
   DocumentBuilder builder_;
   raptor_parser* parser_ = nullptr;
   std::uint64_t blanks_ = 0;
+  std::vector<bool> is_used_;  // of summary_.tagged_attributes
   std::exception_ptr failure_;
 };
 
@@ -198,7 +204,7 @@ void RaptorPass::OnStatement(void* self, raptor_statement* statement) {
   try {
     const std::uint32_t subject = pass.TermOf(*statement->subject);
     const std::uint32_t predicate = pass.TermOf(*statement->predicate);
-    pass.builder_.Add({subject, predicate, pass.TermOf(*statement->object)});
+    pass.builder_.Add({subject, predicate, pass.ObjectOf(*statement->object, predicate)});
   } catch (...) {
     pass.Fail();
   }
@@ -265,18 +271,52 @@ std::uint32_t RaptorPass::TermOf(const raptor_term& term) {
   }
 }
 
+// The same attribute may be there twice on one line, in two languages: first come, first served.
+std::string_view RaptorPass::LanguageOfAttribute(std::string_view predicate,
+                                                 std::string_view value) {
+  const auto& tagged = summary_.tagged_attributes;
+  if (tagged.empty()) return {};
+  const auto key = [](const TaggedAttribute& a) { return std::tie(a.line, a.predicate, a.value); };
+  const TaggedAttribute wanted{Line(), std::string(predicate), std::string(value), {}};
+  const auto [first, last] =
+      std::equal_range(tagged.begin(), tagged.end(), wanted,
+                       [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  is_used_.resize(tagged.size());
+  for (auto it = first; it != last; ++it) {
+    auto is_used = is_used_[static_cast<std::size_t>(it - tagged.begin())];
+    if (is_used) continue;
+    is_used = true;
+    return it->language;
+  }
+  return {};
+}
+
+std::uint32_t RaptorPass::ObjectOf(const raptor_term& term, std::uint32_t predicate) {
+  const raptor_term_literal_value& literal = term.value.literal;
+  if (term.type != RAPTOR_TERM_TYPE_LITERAL || literal.datatype != nullptr ||
+      literal.language != nullptr) {
+    return TermOf(term);
+  }
+  const std::string_view value = TextOf(literal.string, literal.string_len);
+  const std::string& name = builder_.document().terms[predicate].value;
+  return builder_.Intern({TermKind::kLiteral, value, {}, LanguageOfAttribute(name, value)});
+}
+
 Place RaptorPass::PlaceOfTag(int line) const {
   if (line <= 0) return {options_.source, 0, 0};
   const std::size_t start = LineStart(bytes_, line);
   const std::size_t end = std::min(bytes_.find('\n', start), bytes_.size());
-  const std::size_t tag = bytes_.substr(0, end).rfind('<');
+  std::size_t tag = bytes_.substr(0, end).find('<', start);
+  if (tag == std::string_view::npos) tag = bytes_.substr(0, start).rfind('<');
   return PlaceAt(bytes_, tag == std::string_view::npos ? start : tag, options_.source);
 }
 
-Place RaptorPass::Here() const {
+int RaptorPass::Line() const {
   raptor_locator* locator = parser_ == nullptr ? nullptr : raptor_parser_get_locator(parser_);
-  return PlaceOfTag(locator == nullptr ? 0 : std::max(0, locator->line));
+  return locator == nullptr ? 0 : std::max(0, locator->line);
 }
+
+Place RaptorPass::Here() const { return PlaceOfTag(Line()); }
 
 void SortByPlace(std::vector<Remark>& remarks) {
   const auto key = [](const Remark& remark) {
@@ -288,7 +328,7 @@ void SortByPlace(std::vector<Remark>& remarks) {
 
 Document ReadWellFormed(std::string_view bytes, const ReadOptions& options) {
   const XmlSummary summary = CheckXml(bytes, options);
-  Document document = RaptorPass(bytes, options).Run();
+  Document document = RaptorPass(bytes, summary, options).Run();
   if (IsAbsoluteIri(summary.base_iri)) document.base_iri = summary.base_iri;
   document.remarks.insert(document.remarks.end(), summary.warnings.begin(), summary.warnings.end());
   SortByPlace(document.remarks);

@@ -87,9 +87,11 @@ bool IsBlankLabel(std::string_view label) {
 
 std::string Quoted(std::string_view text) {
   constexpr std::size_t kLongest = 80;
+  const bool is_utf8 = IsUtf8(text);
   std::string quoted = "'";
   for (const char c : text.substr(0, kLongest)) {
-    quoted += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;
+    const auto byte = static_cast<unsigned char>(c);
+    quoted += byte < 0x20 || byte == 0x7F || (byte >= 0x80 && !is_utf8) ? '?' : c;
   }
   if (text.size() > kLongest) {
     while (!IsUtf8(quoted) && quoted.size() > 1) quoted.pop_back();

@@ -13,9 +13,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 
 #include "base/text.h"
+#include "ontology/rdf/position.h"
 #include "ontology/rdf/term_checks.h"
+#include "ontology/rdf/vocabulary.h"
 
 namespace lares::rdf {
 namespace {
@@ -68,10 +71,11 @@ std::size_t EntitySizes::SizeOf(const std::string& name, int depth) {
 }
 
 struct XmlPass {
+  std::string_view bytes;
   const ReadOptions& options;
   xmlParserCtxtPtr context = nullptr;
   EntitySizes entities;
-  int depth = 0;
+  std::vector<std::string> languages;  // xml:lang in scope, for each open element
   std::size_t expanded_bytes = 0;
   std::optional<Error> fault;
   XmlSummary summary;
@@ -108,12 +112,22 @@ bool IsOnlyOdd(const xmlError& error) {
          (error.code == XML_WAR_NS_URI || error.code == XML_WAR_NS_URI_RELATIVE);
 }
 
+// libxml2 names the end of the document; the comment's beginning says more.
+Place PlaceOfOpenComment(const XmlPass& pass) {
+  const std::size_t last_end = pass.bytes.rfind("-->");
+  const std::size_t from = last_end == std::string_view::npos ? 0 : last_end + 3;
+  return PlaceAt(pass.bytes, std::min(pass.bytes.find("<!--", from), pass.bytes.size()),
+                 pass.options.source);
+}
+
 void OnError(void* data, xmlErrorPtr error) {
   XmlPass& pass = PassOf(data);
   if (error == nullptr || pass.fault) return;
   std::string message(Trim(error->message == nullptr ? "not well-formed" : error->message));
   while (!IsUtf8(message)) message.pop_back();
-  const Place place{pass.options.source, error->line, error->int2};
+  const Place place = error->code == XML_ERR_COMMENT_NOT_FINISHED
+                          ? PlaceOfOpenComment(pass)
+                          : Place{pass.options.source, error->line, error->int2};
   if (error->level >= XML_ERR_ERROR && !IsOnlyOdd(*error)) {
     pass.Stop(Error(CodeOf(*error), message, place));
   } else if (pass.summary.warnings.size() < kMostWarnings) {
@@ -166,22 +180,57 @@ xmlEntityPtr OnReference(void* data, const xmlChar* name) {
   return xmlSAX2GetEntity(data, name);
 }
 
-// Five pointers for each attribute: local name, prefix, namespace, begin and end of its value.
-std::string BaseAmong(const xmlChar** attributes, int count) {
-  for (int i = 0; i < count; ++i, attributes += 5) {
-    if (ViewOf(attributes[0]) != "base" || ViewOf(attributes[1]) != "xml") continue;
-    const std::string_view value(reinterpret_cast<const char*>(attributes[3]),
-                                 static_cast<std::size_t>(attributes[4] - attributes[3]));
-    return std::string(value.substr(0, value.find('#')));
+// As libxml2 gives it: five pointers for each attribute.
+struct AttributeView {
+  std::string_view local, prefix, space, value;
+};
+
+AttributeView AttributeAt(const xmlChar** attributes, int index) {
+  const xmlChar** a = attributes + index * 5;
+  return {ViewOf(a[0]),
+          ViewOf(a[1]),
+          ViewOf(a[2]),
+          {reinterpret_cast<const char*>(a[3]), static_cast<std::size_t>(a[4] - a[3])}};
+}
+
+// RDF/XML of 1999; Raptor passes over them in silence.
+bool IsWithdrawn(const AttributeView& attribute) {
+  return attribute.space == kRdf &&
+         (attribute.local == "aboutEach" || attribute.local == "aboutEachPrefix" ||
+          attribute.local == "bagID");
+}
+
+void EnterLanguage(XmlPass& pass, const xmlChar** attributes, int count) {
+  pass.languages.push_back(pass.languages.empty() ? std::string() : pass.languages.back());
+  for (int i = 0; i < count; ++i) {
+    const AttributeView attribute = AttributeAt(attributes, i);
+    if (attribute.prefix == "xml" && attribute.local == "lang") {
+      pass.languages.back() = attribute.value;
+    }
   }
-  return {};
 }
 
 void OnStart(void* data, const xmlChar*, const xmlChar*, const xmlChar* space, int, const xmlChar**,
-             int attribute_count, int, const xmlChar** attributes) {
+             int count, int, const xmlChar** attributes) {
   XmlPass& pass = PassOf(data);
-  if (pass.depth == 0) pass.summary.base_iri = BaseAmong(attributes, attribute_count);
-  if (++pass.depth > pass.options.max_depth) {
+  EnterLanguage(pass, attributes, count);
+  const std::string& language = pass.languages.back();
+  for (int i = 0; i < count; ++i) {
+    const AttributeView attribute = AttributeAt(attributes, i);
+    if (attribute.prefix == "xml") {
+      if (attribute.local == "base" && pass.languages.size() == 1) {
+        pass.summary.base_iri = attribute.value.substr(0, attribute.value.find('#'));
+      }
+    } else if (IsWithdrawn(attribute)) {
+      pass.Refuse(Code::kInvalid,
+                  "rdf:" + std::string(attribute.local) + " is no longer part of RDF/XML");
+    } else if (!language.empty() && !attribute.space.empty()) {
+      std::string predicate = std::string(attribute.space) + std::string(attribute.local);
+      pass.summary.tagged_attributes.push_back(
+          {pass.Here().line, std::move(predicate), std::string(attribute.value), language});
+    }
+  }
+  if (pass.languages.size() > static_cast<std::size_t>(pass.options.max_depth)) {
     pass.Refuse(Code::kTooLarge,
                 "elements nest deeper than " + std::to_string(pass.options.max_depth));
   } else if (ViewOf(space) == kXInclude) {
@@ -189,7 +238,9 @@ void OnStart(void* data, const xmlChar*, const xmlChar*, const xmlChar* space, i
   }
 }
 
-void OnEnd(void* data, const xmlChar*, const xmlChar*, const xmlChar*) { --PassOf(data).depth; }
+void OnEnd(void* data, const xmlChar*, const xmlChar*, const xmlChar*) {
+  PassOf(data).languages.pop_back();
+}
 
 xmlSAXHandler Handlers() {
   xmlSAXHandler handlers{};
@@ -226,7 +277,8 @@ XmlSummary CheckXml(std::string_view bytes, const ReadOptions& options) {
   const std::unique_ptr<xmlParserCtxt, ContextDeleter> context(
       xmlCreateMemoryParserCtxt(bytes.data(), static_cast<int>(bytes.size())));
   if (!context) throw Error(Code::kUnavailable, "no memory for an XML parser");
-  XmlPass pass{options, context.get(), EntitySizes(options.max_entity_bytes + 1), 0, 0, {}, {}};
+  XmlPass pass{bytes, options, context.get(), EntitySizes(options.max_entity_bytes + 1), {}, 0,
+               {},    {}};
   context->_private = &pass;
   *context->sax = Handlers();
   xmlCtxtUseOptions(context.get(), XML_PARSE_NONET | XML_PARSE_NOENT);
@@ -235,6 +287,10 @@ XmlSummary CheckXml(std::string_view bytes, const ReadOptions& options) {
   if (context->wellFormed == 0) {
     throw Error(Code::kInvalid, "the XML is not well-formed", pass.Here());
   }
+  auto& tagged = pass.summary.tagged_attributes;
+  std::stable_sort(tagged.begin(), tagged.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.line, a.predicate, a.value) < std::tie(b.line, b.predicate, b.value);
+  });
   return std::move(pass.summary);
 }
 

@@ -10,9 +10,19 @@
 
 namespace lares::rdf {
 
+// A property attribute with a language in scope, which Raptor forgets. `line` is where its tag
+// ends.
+struct TaggedAttribute {
+  int line = 0;
+  std::string predicate;
+  std::string value;
+  std::string language;
+};
+
 struct XmlSummary {
   std::string base_iri;          // xml:base of the root element, without its fragment; may be empty
   std::vector<Remark> warnings;  // what libxml2 finds odd but legal
+  std::vector<TaggedAttribute> tagged_attributes;  // by line, predicate, value
 };
 
 // Throws kInvalid where the text is not well-formed XML with namespaces, kTooLarge where elements

@@ -1,6 +1,7 @@
 #include "reasoner/places/prior.h"
 
 #include "base/error.h"
+#include "base/text.h"
 #include "reasoner/places/read_prior.h"
 
 namespace lares::places {
@@ -9,16 +10,15 @@ void TableBuilder::Add(const std::string& object, const std::string& place, doub
                        const std::string& source_of_row) {
   Cell& cell = cells_[{object, place}];
   cell.count += count;
-  if (source_of_row.empty() || cell.source == source_of_row) return;
-  if (!cell.source.empty()) cell.source += "; ";
-  cell.source += source_of_row;
+  if (!source_of_row.empty()) cell.sources.insert(source_of_row);
 }
 
 PriorTable TableBuilder::Finish(const std::string& name, const std::string& title, int line) const {
   PriorTable table{name, title, {}};
   double total = 0;
   for (const auto& [pair, cell] : cells_) {
-    table.rows.push_back({pair.first, pair.second, cell.count, cell.source});
+    const std::vector<std::string> sources(cell.sources.begin(), cell.sources.end());
+    table.rows.push_back({pair.first, pair.second, cell.count, Join(sources, "; ")});
     total += cell.count;
   }
   if (table.rows.empty()) throw Error(Code::kInvalid, "the table has no rows", {source_, line});

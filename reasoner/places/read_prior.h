@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,7 +12,7 @@
 
 namespace lares::places {
 
-// Adds up rows of one pair.
+// Adds up rows of one pair; their sources are joined with "; ".
 class TableBuilder {
  public:
   explicit TableBuilder(std::string source) : source_(std::move(source)) {}
@@ -24,7 +25,7 @@ class TableBuilder {
  private:
   struct Cell {
     double count = 0;
-    std::string source;
+    std::set<std::string> sources;
   };
   std::string source_;
   std::map<std::pair<std::string, std::string>, Cell> cells_;

@@ -11,9 +11,9 @@
 namespace lares::recipes {
 
 enum class Availability {
-  kAvailable,      // every dependency is there, or asserted with nothing against it
-  kOnMakersWord,   // asserted by the robot's description although a dependency is absent
-  kDerivable,      // missing now, and available once the other missing things are there
+  kAvailable,     // every dependency is there, or asserted with nothing against it
+  kOnMakersWord,  // asserted by the robot's description although a dependency is absent
+  kDerivable,     // missing now, and available once the other missing things are there
   kMissing,
 };
 std::string_view ToString(Availability availability);  // "available", "on-makers-word", …
@@ -24,11 +24,11 @@ struct Finding {
   Kind kind = Kind::kCapability;
   Resource what;
   Availability availability = Availability::kMissing;
-  bool asserted = false;               // capabilities: the robot's description claims it
-  std::vector<Resource> provided_by;   // components: the robot's parts that are it;
-                                       // capabilities: the asserted (sub)class
-  std::vector<Finding> dependencies;   // what it needs, each with its own reasons
-  std::string explanation;             // one plain sentence
+  bool asserted = false;              // capabilities: the robot's description claims it
+  std::vector<Resource> provided_by;  // components: the robot's parts that are it;
+                                      // capabilities: the asserted (sub)class
+  std::vector<Finding> dependencies;  // what it needs, each with its own reasons
+  std::string explanation;            // one plain sentence
 };
 
 // One step's need, with the chain of classes through which it is inherited.
@@ -43,9 +43,10 @@ struct MatchReport {
   Resource robot;
   bool feasible = false;
   std::vector<Need> needs;
-  std::vector<Finding> capabilities;    // one per distinct capability needed, by label
-  std::vector<Resource> smallest_repair;  // components (or bare capabilities) to add; empty when feasible
-  std::vector<std::string> warnings;    // "on the maker's word", unknown terms, …
+  std::vector<Finding> capabilities;  // one per distinct capability needed, by label
+  std::vector<Resource>
+      smallest_repair;  // components (or bare capabilities) to add; empty when feasible
+  std::vector<std::string> warnings;  // "on the maker's word", unknown terms, …
 };
 
 struct MatchOptions {

@@ -100,7 +100,8 @@ http::Response ListModels(const http::Request& request, Context& context) {
       request, models.size(), [&](std::size_t i) { return models[i].document.id; },
       [&](std::size_t i) {
         Json json = ToJson(models[i].document);
-        json["class"] = ToJson(models[i].model_class);
+        json["classes"] = nlohmann::json::array();
+        for (const auto& of : models[i].classes) json["classes"].push_back(ToJson(of));
         return json;
       }));
 }

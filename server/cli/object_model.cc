@@ -53,6 +53,14 @@ void PutModel(const std::vector<std::string>& files, const std::string& id, bool
         FormatRemarks(answer.at("warnings"), "  warnings:"));
 }
 
+std::string LabelsOf(const Json& resources) {
+  std::string labels;
+  for (const Json& resource : resources) {
+    labels += (labels.empty() ? "" : ", ") + TextOf(resource, "label");
+  }
+  return labels;
+}
+
 void ListModels(const std::string& class_name, const Options& options) {
   Remote remote(options.server);
   std::multimap<std::string, std::string> query;
@@ -64,7 +72,7 @@ void ListModels(const std::string& class_name, const Options& options) {
   for (const Json& item : list.at("items")) {
     const Json details = item.value("details", Json::object());
     rows.push_back({TextOf(item, "id"), std::to_string(item.value("version", 0)),
-                    TextOf(item.value("class", Json::object()), "label"),
+                    LabelsOf(item.value("classes", Json::array())),
                     std::to_string(details.value("files", Json::array()).size())});
   }
   Print(FormatTable({"ID", "VERSION", "MODEL OF", "FILES"}, rows));

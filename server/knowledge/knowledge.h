@@ -95,8 +95,10 @@ struct WhereAnswer {
 
 struct ObjectModelInfo {
   store::DocumentInfo document;
-  recipes::Resource model_class;  // what it is a model of
+  std::vector<recipes::Resource> classes;  // what it is a model of
 };
+
+struct PlaceTables;
 
 // All members are thread-safe. Readers never wait for a writer: they use the views that stood when
 // they began. Faults are Errors.
@@ -155,6 +157,11 @@ class Knowledge {
 
  private:
   struct State;
+
+  PutAnswer PutOntology(const PutRequest& request, const rdf::Graph& graph,
+                        const rdf::Document& content);
+  std::shared_ptr<const PlaceTables> FindPrior(const std::string& name);
+
   std::unique_ptr<State> state_;
 };
 

@@ -159,7 +159,7 @@ TEST_F(ApiTest, AnObjectModelKeepsItsFiles) {
                              {"file", "", photo, "face1.png", "image/png"}});
   ASSERT_EQ(put.status, 201) << put.body;
   const auto list = Json(Get("/v1/object-models?class=Cabinet"));
-  EXPECT_EQ(list["items"][0]["class"]["label"], "Cabinet");
+  EXPECT_EQ(list["items"][0]["classes"][0]["label"], "Cabinet");
   EXPECT_EQ(list["items"][0]["details"]["files"][0]["file_name"], "face1.png");
   EXPECT_EQ(Json(Get("/v1/object-models?class=Bottle"))["count"], 0);
   const auto file = Get("/v1/object-models/cabinet1/files/face1.png");

@@ -121,7 +121,7 @@ WhereAnswer Knowledge::Where(const WhereRequest& request) {
 std::vector<ObjectModelInfo> Knowledge::ObjectModels(const std::string& class_name) {
   std::vector<ObjectModelInfo> models;
   for (auto& document : state_->store.ListDocuments(store::DocumentKind::kObjectModel)) {
-    models.push_back({document, {"urn:Cabinet", "Cabinet", ""}});
+    models.push_back({document, {{"urn:Cabinet", "Cabinet", ""}}});
   }
   if (!class_name.empty() && class_name != "Cabinet") models.clear();
   return models;

@@ -1,0 +1,175 @@
+#include <algorithm>
+#include <numeric>
+
+#include "reasoner/owl/engine.h"
+#include "reasoner/owl/frame_scope.h"
+#include "reasoner/owl/lists.h"
+
+namespace lares::owl {
+
+void Engine::Reach(Frame& frame) {
+  switch (frame.goal) {
+    case Goal::kConclude:
+      return Conclude(frame);
+    case Goal::kMakeInstance:
+      return MakeInstances(frame, true);
+    case Goal::kMakeOldInstance:
+      return MakeInstances(frame, false);
+    case Goal::kWait:
+      break;
+  }
+  const Rule& rule = *frame.rule;
+  if (!rule.is_transitive) {
+    const Key key = KeyOf(rule, rule.data[frame.atom], frame.binding);
+    return Wait({&rule, frame.atom, false, 0, 0}, key, frame.binding);
+  }
+  const auto [s, p, o] = rule.schema[0].In(frame.binding);
+  StartClosure(rule, rule.data[0].predicate.In(frame.binding), below_.Contains({s, p, o}));
+}
+
+// All schema patterns of `frame` are satisfied. Without `evaluate`, what follows from it for the
+// data known so far is known already.
+void Engine::MakeInstances(const Frame& frame, bool evaluate) {
+  const Rule& rule = *frame.rule;
+  is_live_[rule.number] = true;
+  for (const Atom& atom : rule.data) {
+    kind_is_live_[static_cast<std::size_t>(KindOf(rule, atom))] = true;
+  }
+  if (rule.is_transitive) {
+    StartClosure(rule, rule.data[0].predicate.In(frame.binding), false);
+  } else if (rule.list_use != ListUse::kNone) {
+    MakeListInstances(frame, evaluate);
+  } else {
+    MakeInstance(rule, frame.binding, 0, false, evaluate);
+  }
+}
+
+void Engine::MakeListInstances(const Frame& frame, bool evaluate) {
+  const Rule& rule = *frame.rule;
+  std::vector<rdf::TermId> binding = frame.binding;
+  const auto objects_of = [this](rdf::TermId s, rdf::TermId p) { return Objects(s, p); };
+  for (ListReading& reading : ReadLists(binding[rule.list], words_, objects_of)) {
+    const std::vector<rdf::TermId>& members = reading.members;
+    const auto cells = static_cast<std::uint32_t>(cells_.size());
+    cells_.push_back(std::move(reading.cells));
+    if (rule.list_use == ListUse::kWhole) {
+      const auto [s, p, o] = rule.schema[0].In(binding);
+      cells_.back().push_back({s, p, o});
+      Rule written = WriteRule(rule, s, members, words_);
+      if (written.data.empty()) continue;
+      written_rules_.push_back(std::move(written));
+      const std::vector<rdf::TermId> nothing(written_rules_.back().variables);
+      MakeInstance(written_rules_.back(), nothing, cells, true, evaluate);
+      continue;
+    }
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      binding[rule.first_member] = members[i];
+      if (rule.list_use == ListUse::kEach) MakeInstance(rule, binding, cells, true, evaluate);
+      if (rule.list_use != ListUse::kPairs) continue;
+      for (std::size_t j = i + 1; j < members.size(); ++j) {
+        binding[rule.second_member] = members[j];
+        MakeInstance(rule, binding, cells, true, evaluate);
+      }
+    }
+  }
+}
+
+// Data patterns wait under keys that are active; under others they are found when the key first
+// arrives, unless the instance `always_waits`.
+void Engine::MakeInstance(const Rule& rule, const std::vector<rdf::TermId>& binding,
+                          std::uint32_t cells, bool always_waits, bool evaluate) {
+  for (std::uint32_t i = 0; i < rule.data.size(); ++i) {
+    const Key key = KeyOf(rule, rule.data[i], binding);
+    if (always_waits || StateOf(key).is_active) Wait({&rule, i, false, 0, cells}, key, binding);
+  }
+  if (!evaluate) return;
+  const FrameScope scope(*this);
+  Frame& frame = scope.frame();
+  frame.rule = &rule;
+  frame.atoms = &rule.data;
+  frame.goal = Goal::kConclude;
+  frame.cells = cells;
+  frame.binding = binding;
+  frame.order.resize(rule.data.size());
+  std::iota(frame.order.begin(), frame.order.end(), 0U);
+  Join(frame, 0);
+}
+
+// The list that `cell` belongs to has grown: whatever refers to it is looked at again.
+void Engine::ReadListAgain(const rdf::Triple& cell) {
+  std::vector<rdf::TermId> heads = {cell.subject};
+  for (std::size_t i = 0; i < heads.size(); ++i) {
+    for (const rdf::Triple& before : Match({{}, words_.rest, heads[i]})) {
+      if (std::find(heads.begin(), heads.end(), before.subject) == heads.end()) {
+        heads.push_back(before.subject);
+      }
+    }
+  }
+  for (const Rule& rule : rules_) {
+    if (rule.list_use == ListUse::kNone) continue;
+    for (std::uint32_t i = 0; i < rule.schema.size(); ++i) {
+      const Atom& atom = rule.schema[i];
+      if (!atom.object.is_variable || atom.object.value != rule.list) continue;
+      for (const rdf::TermId head : heads) {
+        const std::vector<rdf::Triple> owners =
+            Match({{}, rdf::TermId{atom.predicate.value}, head});
+        for (const rdf::Triple& owner : owners) Fire({&rule, i, true, 0, 0}, owner);
+      }
+    }
+  }
+}
+
+// The most selective of the places that an instance knows.
+Engine::KeyKind Engine::KindOf(const Rule& rule, const Atom& atom) const {
+  const auto is_known = [&](const Slot& slot) {
+    return !slot.is_variable || rule.is_bound_by_schema[slot.value];
+  };
+  if (is_known(atom.subject)) return KeyKind::kSubject;
+  const bool is_type =
+      !atom.predicate.is_variable && rdf::TermId{atom.predicate.value} == words_.type;
+  if (is_type && is_known(atom.object)) return KeyKind::kClass;
+  return is_known(atom.predicate) ? KeyKind::kPredicate : KeyKind::kObject;
+}
+
+Engine::Key Engine::KeyOf(const Rule& rule, const Atom& atom,
+                          const std::vector<rdf::TermId>& binding) const {
+  const KeyKind kind = KindOf(rule, atom);
+  if (kind == KeyKind::kSubject) return {kind, atom.subject.In(binding)};
+  if (kind == KeyKind::kPredicate) return {kind, atom.predicate.In(binding)};
+  return {kind, atom.object.In(binding)};
+}
+
+void Engine::Wait(const Trigger& trigger, const Key& key, const std::vector<rdf::TermId>& binding) {
+  Trigger waiting = trigger;
+  waiting.binding = static_cast<std::uint32_t>(bindings_.size());
+  bindings_.insert(bindings_.end(), binding.begin(), binding.end());
+  kind_is_live_[static_cast<std::size_t>(key.kind)] = true;
+  StateOf(key).triggers.push_back(waiting);
+}
+
+void Engine::StartClosure(const Rule& rule, rdf::TermId property, bool below_is_closed) {
+  KeyState& state = StateOf({KeyKind::kPredicate, property});
+  if (state.closure != nullptr) return;
+  state.closure = &closures_.emplace_back(property, below_, below_is_closed);
+  state.closure_rule = &rule;
+  if (below_is_closed) return;
+  for (const rdf::Triple& triple : Match({{}, property, {}})) AddEdge(state, triple);
+}
+
+void Engine::AddEdge(const KeyState& state, const rdf::Triple& triple) {
+  const rdf::TermId p = triple.predicate;
+  const Rule& rule = *state.closure_rule;
+  state.closure->AddEdge(
+      triple.subject, triple.object, [&](rdf::TermId u, rdf::TermId by, rdf::TermId v) {
+        if (!Derive(rule, {u, p, v}) || !options_.on_derivation) return;
+        std::vector<rdf::Triple> premises = {{u, p, by}, {by, p, v}};
+        for (const Atom& atom : rule.schema) {
+          // Its only variable is the property.
+          premises.insert(premises.begin(),
+                          {p, rdf::TermId{atom.predicate.value}, rdf::TermId{atom.object.value}});
+        }
+        Observe(rule, {u, p, v}, premises);
+      });
+}
+
+}  // namespace lares::owl

@@ -1,0 +1,211 @@
+:- module(bodies,
+          [ robots/2,
+            robot_problems/2,
+            base_link/2,
+            robot_camera/2,
+            has_matrix/1,
+            placed_matrices/2
+          ]).
+:- use_module(library(lists)).
+:- use_module(library(ugraphs)).
+:- use_module(rules(prefixes)).
+:- use_module(rules(rdf_view)).
+:- use_module(rules(classes)).
+:- use_module(rules(matching)).
+:- use_module(rules(recipe_checks)).
+
+/** <module> A robot's body: its links, its joints and where its camera sits
+
+Only what the description asserts counts here. What follows from the axioms about parts makes every
+link of a chain a successor of every other, and in some descriptions the robot a part of itself.
+Matrices are handed out as `matrix(Individual, Entries)`, the 16 entries row by row as written; the
+arithmetic is done elsewhere.
+*/
+
+:- rdf_meta
+    entry(r, r, -).
+
+%!  robots(+Graph, -Robots:ordset) is det.
+%
+%   The robots that a document describes.
+
+robots(Graph, Robots) :-
+    findall(Subject, described_individual(Graph, Subject), Found),
+    sort(Found, Candidates),
+    findall(Robot, (member(Robot, Candidates), robot(Robot)), Robots).
+
+described_individual(Graph, Subject) :-
+    rdf_in(Subject, rdf:type, Class, Graph),
+    named(Subject),
+    named(Class),
+    \+ rdf_equal(Class, owl:'Class'),
+    \+ rdf_equal(Class, lares:'UrdfLink'),
+    \+ rdf_equal(Class, lares:'RotationMatrix3D').
+
+%!  robot_problems(+Graph, -Problems:list) is det.
+%
+%   Joints in a circle, and matrix entries that are no finite numbers.
+
+robot_problems(Graph, Problems) :-
+    findall(Problem, robot_problem(Graph, Problem), Found),
+    list_to_set(Found, Problems).
+
+robot_problem(Graph, Problem) :-
+    findall(Parent-Child, joined_in(Graph, Parent, Child), Edges),
+    vertices_edges_to_ugraph([], Edges, Chains),
+    \+ top_sort(Chains, _),
+    cycle_in(Chains, Cycle),
+    chain_of(Cycle, Chain),
+    append(["links and joints go in a circle: "|Chain], [], Problem).
+robot_problem(Graph, ["entry ", phrase(Property), " of the matrix ", name(Matrix),
+                      " is no finite number: '", Text, "'"]) :-
+    matrix_property(Property),
+    rdf_in(Matrix, Property, Literal, Graph),
+    \+ rdf_number(Literal, _),
+    ( Literal = literal(Text, _, _) -> true ; Text = Literal ).
+
+joined_in(Graph, Parent, Child) :-
+    joint_property(Property, Direction),
+    rdf_in(Subject, Property, Object, Graph),
+    (   Direction = down
+    ->  Parent = Subject, Child = Object
+    ;   Parent = Object, Child = Subject
+    ).
+
+joint_property(Property, down) :- rdf_equal(Property, lares:succeedingJoint).
+joint_property(Property, down) :- rdf_equal(Property, lares:succeedingLink).
+joint_property(Property, up) :- rdf_equal(Property, lares:precedingLink).
+joint_property(Property, up) :- rdf_equal(Property, lares:precedingJoint).
+
+%!  base_link(+Robot, -Link) is semidet.
+
+base_link(Robot, Link) :-
+    findall(Found,
+            (   rdf_asserted(Robot, lares:baseLinkOfComposition, Found)
+            ;   rdf_asserted(Robot, lares:succeedingLink, Found)
+            ),
+            Links0),
+    sort(Links0, [Link|_]).
+
+%!  robot_camera(+Robot, -Camera:compound) is semidet.
+%
+%   `camera(Part, Root, Matrices, Count)`: the camera to recognise things with, of Count that the
+%   robot has, preferring one that is a link of the kinematic chain. Root is the link at the chain's
+%   beginning and Matrices lead from it to the camera, all joints at zero. Root is `none` when the
+%   chain cannot be followed.
+
+robot_camera(Robot, camera(Camera, Root, Matrices, Count)) :-
+    findall(Part, (rdf(Part, rdf:type, lares:'Camera'), rdf(Robot, lares:subComponent, Part)),
+            Found),
+    sort(Found, Cameras),
+    length(Cameras, Count),
+    Count > 0,
+    (   member(Camera, Cameras),
+        jointed(Camera),
+        chain(Robot, Camera, Root, Matrices)
+    ->  true
+    ;   member(Camera, Cameras), chain(Robot, Camera, Root, Matrices)
+    ->  true
+    ;   Cameras = [Camera|_], Root = none, Matrices = []
+    ).
+
+% A link of the chain itself, not a device that hangs on one.
+jointed(Camera) :- rdf_asserted(_, lares:succeedingLink, Camera), !.
+
+chain(Robot, Node, Root, Matrices) :-
+    climb(Robot, Node, [Node], Root, [], Matrices),
+    Matrices = [_|_].
+
+% From a link to the link before its joint, whose pose must be known; from a device to what it hangs
+% on.
+climb(Robot, Node, Seen, Root, Below, Matrices) :-
+    (   joint_before(Robot, Node, Joint, Link)
+    ->  \+ memberchk(Link, Seen),
+        joint_matrix(Joint, Matrix),
+        climb(Robot, Link, [Link|Seen], Root, [Matrix|Below], Matrices)
+    ;   rdf_asserted(Carrier, lares:subComponent, Node),
+        Carrier \== Robot
+    ->  \+ memberchk(Carrier, Seen),
+        climb(Robot, Carrier, [Carrier|Seen], Root, Below, Matrices)
+    ;   Root = Node,
+        Matrices = Below
+    ).
+
+joint_before(Robot, Node, Joint, Link) :-
+    rdf_asserted(Joint, lares:succeedingLink, Node),
+    Joint \== Robot,
+    (   rdf_asserted(Link, lares:succeedingJoint, Joint)
+    ;   rdf_asserted(Joint, lares:precedingLink, Link)
+    ),
+    !.
+
+% Stated as the joint's orientation, or by the newest event in which the robot felt it.
+joint_matrix(Joint, Matrix) :-
+    rdf_asserted(Joint, lares:orientation, Individual),
+    !,
+    matrix(Individual, Matrix).
+joint_matrix(Joint, Matrix) :-
+    findall(When-Individual,
+            ( rdf_asserted(Event, lares:objectActedOn, Joint),
+              rdf_asserted(Event, lares:eventOccursAt, Individual),
+              ( rdf_asserted(Event, lares:startTime, Time) -> When = Time ; When = '' ) ),
+            Found),
+    keysort(Found, Sorted),
+    last(Sorted, _-Individual),
+    matrix(Individual, Matrix).
+
+%!  has_matrix(+Individual) is semidet.
+
+has_matrix(Individual) :-
+    rdf_asserted(Individual, lares:m00, _),
+    !.
+
+%!  placed_matrices(+Individual, -Matrices:list) is semidet.
+%
+%   The matrix of Individual after those that it is relative to, outermost first.
+
+placed_matrices(Individual, Matrices) :-
+    placed(Individual, [Individual], [], Matrices).
+
+placed(Individual, Seen, Below, Matrices) :-
+    matrix(Individual, Matrix),
+    (   rdf_asserted(Individual, lares:relativeTo, Outer),
+        has_matrix(Outer),
+        \+ memberchk(Outer, Seen)
+    ->  placed(Outer, [Outer|Seen], [Matrix|Below], Matrices)
+    ;   Matrices = [Matrix|Below]
+    ).
+
+matrix(Individual, matrix(Individual, Entries)) :-
+    findall(Text, (matrix_property(Property), entry(Individual, Property, Text)), Entries),
+    length(Entries, 16).
+
+matrix_property(Property) :- rdf_equal(Property, lares:m00).
+matrix_property(Property) :- rdf_equal(Property, lares:m01).
+matrix_property(Property) :- rdf_equal(Property, lares:m02).
+matrix_property(Property) :- rdf_equal(Property, lares:m03).
+matrix_property(Property) :- rdf_equal(Property, lares:m10).
+matrix_property(Property) :- rdf_equal(Property, lares:m11).
+matrix_property(Property) :- rdf_equal(Property, lares:m12).
+matrix_property(Property) :- rdf_equal(Property, lares:m13).
+matrix_property(Property) :- rdf_equal(Property, lares:m20).
+matrix_property(Property) :- rdf_equal(Property, lares:m21).
+matrix_property(Property) :- rdf_equal(Property, lares:m22).
+matrix_property(Property) :- rdf_equal(Property, lares:m23).
+matrix_property(Property) :- rdf_equal(Property, lares:m30).
+matrix_property(Property) :- rdf_equal(Property, lares:m31).
+matrix_property(Property) :- rdf_equal(Property, lares:m32).
+matrix_property(Property) :- rdf_equal(Property, lares:m33).
+
+entry(Individual, Property, Text) :-
+    rdf_asserted(Individual, Property, literal(Text, _, _)),
+    !.
+entry(_, Property, Text) :-
+    last_row(Property, Text).
+
+:- rdf_meta last_row(r, -).
+
+last_row(lares:m30, '0').
+last_row(lares:m31, '0').
+last_row(lares:m32, '0').
+last_row(lares:m33, '1').

@@ -1,0 +1,120 @@
+#include <cstdio>
+#include <sstream>
+
+#include "base/text.h"
+#include "recipes/plan/export.h"
+#include "recipes/plan/shape.h"
+
+namespace lares::recipes {
+
+namespace {
+
+void WriteInputs(std::ostream& out, const State& state) {
+  for (const Parameter& input : state.inputs) {
+    out << "       " << input.name << " = " << (input.text.empty() ? input.value : input.text);
+    if (input.type == "pose" && KeyOf(input.value).empty()) {
+      out << " (" << input.value << (input.frame.empty() ? "" : " in " + input.frame) << ")";
+    }
+    out << "  [" << ToString(input.source) << "]\n";
+  }
+}
+
+void WriteWays(std::ostream& out, const Plan& plan, const State& state) {
+  for (const Transition& transition : plan.transitions) {
+    if (transition.from != state.id) continue;
+    if (transition.added && transition.outcome == "failed") continue;  // said once, below
+    out << "       " << transition.outcome << " -> " << transition.to;
+    if (transition.added) out << "  (added: " << transition.reason << ")";
+    out << "\n";
+  }
+}
+
+void WriteNotes(std::ostream& out, const std::vector<std::string>& notes, const char* title) {
+  if (notes.empty()) return;
+  out << title << "\n";
+  for (const std::string& note : notes) out << "  - " << note << "\n";
+}
+
+// As its document spells it: what a person would search a robot's or recipe's file for.
+std::string Name(const Resource& resource) { return std::string(LocalName(resource.as_written)); }
+
+std::string Joined(const std::vector<Resource>& resources, const char* separator) {
+  std::string text;
+  for (const Resource& resource : resources) {
+    if (!text.empty()) text += separator;
+    text += Name(resource);
+  }
+  return text;
+}
+
+const char* Mark(Availability availability) {
+  switch (availability) {
+    case Availability::kAvailable:
+      return "yes ";
+    case Availability::kOnMakersWord:
+      return "word";
+    default:
+      return "NO  ";
+  }
+}
+
+void WriteFinding(std::ostream& out, const Finding& finding, int depth) {
+  out << "  " << std::string(static_cast<std::size_t>(2 * depth), ' ') << Mark(finding.availability)
+      << " " << Name(finding.what) << ": " << finding.explanation << "\n";
+  if (finding.availability == Availability::kAvailable) return;
+  for (const Finding& dependency : finding.dependencies) WriteFinding(out, dependency, depth + 1);
+}
+
+}  // namespace
+
+std::string ToText(const Plan& plan) {
+  std::ostringstream out;
+  out << "Plan: " << plan.task.label << ", for " << plan.robot.label;
+  if (!plan.environment.empty()) {
+    out << ", in " << plan.environment << " (version " << plan.environment_version << ")";
+  }
+  out << "\n";
+  int number = 0;
+  bool fails = false;
+  for (const State& state : plan.states) {
+    if (state.kind == State::Kind::kEnd) continue;
+    char label[8];
+    std::snprintf(label, sizeof label, "%3d. ", ++number % 1000);
+    out << label << state.id << ": " << state.skill << "\n";
+    WriteInputs(out, state);
+    WriteWays(out, plan, state);
+  }
+  for (const Transition& transition : plan.transitions) {
+    fails = fails || (transition.added && transition.outcome == "failed");
+  }
+  if (fails) {
+    out << "Where a step can fail and the recipe does not say what then, the plan ends as "
+           "failed.\n";
+  }
+  WriteNotes(out, plan.notes, "Notes:");
+  WriteNotes(out, plan.match.warnings, "Warnings:");
+  return out.str();
+}
+
+std::string ToText(const MatchReport& report) {
+  std::ostringstream out;
+  out << report.robot.label << (report.feasible ? " can do " : " cannot do ") << report.task.label
+      << ".\n";
+  if (!report.needs.empty()) out << "The steps need:\n";
+  for (const Need& need : report.needs) {
+    out << "  " << Name(need.step) << " needs " << Name(need.capability);
+    if (need.inherited_through.size() > 1) {
+      out << "  (through " << Joined(need.inherited_through, " < ") << ")";
+    }
+    out << "\n";
+  }
+  if (!report.capabilities.empty()) out << "The robot has:\n";
+  for (const Finding& finding : report.capabilities) WriteFinding(out, finding, 0);
+  if (!report.smallest_repair.empty()) {
+    out << "The smallest repair is to add: " << Joined(report.smallest_repair, ", ") << ".\n";
+  }
+  WriteNotes(out, report.warnings, "Warnings:");
+  return out.str();
+}
+
+}  // namespace lares::recipes

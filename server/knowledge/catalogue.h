@@ -1,0 +1,42 @@
+// The catalogue: the ontology modules, ours and those put later, closed.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "ontology/rdf/aliases.h"
+#include "ontology/triples/view.h"
+#include "server/knowledge/knowledge.h"
+
+namespace lares::server {
+
+// One state of the catalogue. Immutable, shared by the readers that began with it.
+struct CatalogueState {
+  rdf::View view;
+  std::uint64_t generation = 0;
+  std::vector<Knowledge::Module> modules;
+  // Lower-case local name or label of a class → the classes.
+  std::unordered_map<std::string, std::vector<rdf::TermId>> classes_by_name;
+};
+
+// The graphs of the project's own modules: ontology/*.ttl and recipes/skills/*.ttl.
+std::vector<rdf::Graph> LoadOwnModules(const rdf::AliasTable& aliases, rdf::Dictionary& dictionary);
+
+// Closes `own` and `stored` together.
+std::shared_ptr<const CatalogueState> MakeCatalogue(
+    const std::shared_ptr<rdf::Dictionary>& dictionary, const std::vector<rdf::Graph>& own,
+    const std::vector<rdf::Graph>& stored, std::uint64_t generation);
+
+// A term as answers name it.
+recipes::Resource Describe(const rdf::View& view, rdf::TermId term);
+recipes::Resource Describe(const rdf::View& view, std::string_view iri);
+
+// One sentence for each contradiction of the top layer, the first `limit` of them.
+std::vector<std::string> DescribeClashes(const rdf::View& view, std::size_t limit = 5);
+
+}  // namespace lares::server

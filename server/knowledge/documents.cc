@@ -1,0 +1,327 @@
+// Putting documents: read whole, understood, stored, and only then visible.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "base/text.h"
+#include "ontology/rdf/reader.h"
+#include "ontology/rdf/vocabulary.h"
+#include "reasoner/owl/materialise.h"
+#include "server/knowledge/knowledge.h"
+#include "server/knowledge/state.h"
+
+namespace lares::server {
+namespace {
+
+using nlohmann::json;
+using recipes::Resource;
+using store::DocumentKind;
+
+json ToJson(const Resource& resource) {
+  return {{"iri", resource.iri}, {"label", resource.label}, {"as_written", resource.as_written}};
+}
+
+json ToJson(const rdf::Remark& remark) {
+  return {{"kind", remark.kind == rdf::Remark::Kind::kRepair ? "repair" : "warning"},
+          {"line", remark.place.line},
+          {"column", remark.place.column},
+          {"message", remark.message}};
+}
+
+std::string StemOf(const std::string& file_name) {
+  return std::filesystem::path(file_name).filename().stem().string();
+}
+
+// Where the text first says one of the names in quotes or angle brackets of `sentence`: the place
+// of a fault that was found only after reading.
+Place PlaceOf(const std::string& sentence, std::string_view bytes, const std::string& source) {
+  for (std::size_t at = 0; at < sentence.size(); ++at) {
+    const char close = sentence[at] == '\'' ? '\'' : sentence[at] == '<' ? '>' : '\0';
+    if (close == '\0') continue;
+    const std::size_t end = sentence.find(close, at + 1);
+    if (end == std::string::npos) break;
+    const std::string name(LocalName(sentence.substr(at + 1, end - at - 1)));
+    const std::size_t found = name.empty() ? std::string::npos : bytes.find(name);
+    at = end;
+    if (found == std::string_view::npos) continue;
+    const std::string_view before = bytes.substr(0, found);
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
+    return {source, static_cast<int>(line), static_cast<int>(found - line_start) + 1};
+  }
+  return {source, 0, 0};
+}
+
+void AddNames(const Resource& resource, std::vector<store::DocumentName>& names) {
+  names.push_back({resource.iri, "iri", resource.iri});
+  if (resource.as_written != resource.iri) {
+    names.push_back({resource.as_written, "iri", resource.iri});
+  }
+  names.push_back({std::string(LocalName(resource.iri)), "local", resource.iri});
+  if (resource.label != LocalName(resource.iri)) {
+    names.push_back({resource.label, "label", resource.iri});
+  }
+}
+
+// The imports that neither our modules nor stored documents answer: nothing is ever fetched.
+std::vector<std::string> AbsentImports(const rdf::Document& document,
+                                       const std::vector<Knowledge::Module>& modules,
+                                       const rdf::AliasTable& aliases) {
+  std::vector<std::string> warnings;
+  for (const std::string& import : document.imports) {
+    std::string_view name = import;
+    while (!name.empty() && (name.back() == '#' || name.back() == '/')) name.remove_suffix(1);
+    const std::string file(name.substr(name.find_last_of('/') + 1));
+    const std::string stem = StemOf(file);
+    const bool is_module = std::any_of(modules.begin(), modules.end(),
+                                       [&](const auto& module) { return module.id == stem; });
+    const bool is_aliased =
+        std::any_of(aliases.aliases().begin(), aliases.aliases().end(), [&](const auto& alias) {
+          return alias.is_namespace && alias.alias.ends_with("/" + file + "#");
+        });
+    if (!is_module && !is_aliased) {
+      warnings.push_back("imports <" + import +
+                         ">, which is not in the local catalogue; nothing is fetched");
+    }
+  }
+  return warnings;
+}
+
+// One document on its way in.
+struct Incoming {
+  const PutRequest& request;
+  std::string source;
+  rdf::Document content;
+  rdf::Graph graph;
+  rdf::View view;  // what it was understood against, itself included
+  PutAnswer answer;
+  json details = json::object();
+  std::vector<store::DocumentName> names;
+};
+
+void Refuse(const Incoming& incoming, const std::vector<std::string>& problems) {
+  if (problems.empty()) return;
+  throw Error(Code::kInvalid, Join(problems, "\n"),
+              PlaceOf(problems.front(), incoming.request.bytes, incoming.source));
+}
+
+void UnderstandRecipe(prolog::EnginePool& engines, Incoming& incoming) {
+  incoming.answer.tasks = recipes::FindTasks(engines, incoming.view, incoming.graph.name);
+  if (incoming.answer.tasks.empty()) {
+    throw Error(Code::kInvalid, "describes no task: no class has sub-actions or state transitions",
+                {incoming.source, 0, 0});
+  }
+  std::vector<std::string> problems;
+  const bool has_top = std::any_of(incoming.answer.tasks.begin(), incoming.answer.tasks.end(),
+                                   [](const auto& task) { return task.top_level; });
+  for (const recipes::Task& task : incoming.answer.tasks) {
+    problems.insert(problems.end(), task.problems.begin(), task.problems.end());
+    incoming.answer.warnings.insert(incoming.answer.warnings.end(), task.warnings.begin(),
+                                    task.warnings.end());
+    AddNames(task.task, incoming.names);
+    if (task.top_level || !has_top) {
+      incoming.names.push_back({incoming.request.id, "id", task.task.iri});
+    }
+    json steps = json::array();
+    for (const Resource& step : task.steps) steps.push_back(ToJson(step));
+    incoming.details["tasks"].push_back(
+        {{"task", ToJson(task.task)},
+         {"top_level", task.top_level},
+         {"form", task.state_machine ? "state-machine" : "partial-order"},
+         {"steps", steps}});
+  }
+  Refuse(incoming, problems);
+}
+
+void UnderstandRobot(prolog::EnginePool& engines, Incoming& incoming) {
+  try {
+    incoming.answer.robots = recipes::FindRobots(engines, incoming.view, incoming.graph.name);
+  } catch (const Error& error) {
+    if (error.code() != Code::kInvalid || error.place()) throw;
+    Refuse(incoming, {error.what()});
+  }
+  if (incoming.answer.robots.empty()) {
+    throw Error(Code::kInvalid, "describes no robot: no individual is a Robot or has capabilities",
+                {incoming.source, 0, 0});
+  }
+  for (const Resource& robot : incoming.answer.robots) {
+    AddNames(robot, incoming.names);
+    incoming.names.push_back({incoming.request.id, "id", robot.iri});
+    incoming.details["robots"].push_back(ToJson(robot));
+  }
+}
+
+void UnderstandObjectModel(const store::Store& store, Incoming& incoming) {
+  const rdf::TermId provides =
+      incoming.view.dictionary().InternIri(std::string(rdf::kLares) + "providesModelFor");
+  for (const rdf::Triple& triple : incoming.graph.triples) {
+    if (triple.predicate != provides) continue;
+    const Resource model = Describe(incoming.view, triple.subject);
+    const Resource of = Describe(incoming.view, triple.object);
+    AddNames(model, incoming.names);
+    incoming.names.push_back({incoming.request.id, "id", model.iri});
+    incoming.details["models"].push_back({{"model", ToJson(model)}, {"class", ToJson(of)}});
+  }
+  if (!incoming.details.contains("models")) {
+    throw Error(Code::kInvalid, "describes no object model: nothing has providesModelFor",
+                {incoming.source, 0, 0});
+  }
+  json files = json::array();
+  for (const AttachedFile& file : incoming.request.files) {
+    files.push_back({{"file_name", file.file_name},
+                     {"media_type", file.media_type},
+                     {"sha256", file.blob.sha256},
+                     {"size", file.blob.size}});
+  }
+  if (files.empty()) {
+    const auto before = store.FindDocument(DocumentKind::kObjectModel, incoming.request.id);
+    if (before) files = json::parse(before->details_json).value("files", json::array());
+  }
+  incoming.details["files"] = files;
+}
+
+store::DocumentInfo Store(store::Store& store, const Incoming& incoming) {
+  const PutRequest& request = incoming.request;
+  store::NewDocument document;
+  document.kind = request.kind;
+  document.id = request.id;
+  document.media_type = request.media_type;
+  document.file_name = request.file_name;
+  document.bytes = request.bytes;
+  document.details_json = incoming.details.dump();
+  document.names = incoming.names;
+  document.if_match = request.if_match;
+  return store.PutDocument(document);
+}
+
+PutAnswer PutPrior(store::Store& store, const rdf::AliasTable& aliases, const PutRequest& request) {
+  const bool omics = request.prior_format == "omics";
+  if (!omics && request.prior_format != "tsv") {
+    throw Error(Code::kUnsupported,
+                "'" + request.prior_format + "' is no format of a prior: it is omics or tsv");
+  }
+  const places::PriorTable table = places::ReadPrior(
+      request.bytes, omics ? places::PriorFormat::kOmics : places::PriorFormat::kTsv, request.id,
+      aliases);
+  std::set<std::string> objects;
+  std::set<std::string> spots;
+  double count = 0;
+  for (const places::PriorRow& row : table.rows) {
+    objects.insert(row.object);
+    spots.insert(row.place);
+    count += row.count;
+  }
+  Incoming incoming{request, request.file_name, {}, {}, rdf::View(nullptr), {}, {}, {}};
+  incoming.details = {{"title", table.title},      {"format", request.prior_format},
+                      {"rows", table.rows.size()}, {"objects", objects.size()},
+                      {"places", spots.size()},    {"count", count}};
+  incoming.answer.document = Store(store, incoming);
+  incoming.answer.statements = table.rows.size();
+  return incoming.answer;
+}
+
+}  // namespace
+
+PutAnswer Knowledge::Put(const PutRequest& original) {
+  PutRequest request = original;
+  if (request.id.empty()) request.id = StemOf(request.file_name);
+  if (!IsIdentifier(request.id)) {
+    throw Error(Code::kInvalid, "'" + request.id +
+                                    "' cannot be an id: letters, digits, '.', '_' "
+                                    "and '-', at most 128, not beginning with '.' or '-'");
+  }
+  if (request.file_name.empty()) request.file_name = request.id;
+  if (request.kind == DocumentKind::kPrior) {
+    return PutPrior(state_->store, state_->aliases, request);
+  }
+  const rdf::Format format = rdf::GuessFormat(request.media_type, request.file_name, request.bytes);
+  request.media_type = rdf::MediaType(format);
+  rdf::ReadOptions options;
+  options.source = request.file_name;
+  options.recover = request.recover;
+  Incoming incoming{request,
+                    request.file_name,
+                    rdf::ReadRdf(request.bytes, format, options),
+                    {},
+                    rdf::View(state_->dictionary),
+                    {},
+                    json::object(),
+                    {}};
+  incoming.graph = rdf::MakeGraph(incoming.content, GraphName(request.kind, request.id),
+                                  state_->aliases, *state_->dictionary);
+  incoming.answer.remarks = incoming.content.remarks;
+  incoming.answer.statements = incoming.graph.triples.size();
+
+  if (request.kind == DocumentKind::kOntology)
+    return PutOntology(request, incoming.graph, incoming.content);
+
+  const auto base = state_->catalogue();
+  incoming.view = base->view.With(owl::Materialise(base->view, {incoming.graph}));
+  const auto& layer = *incoming.view.layers().back();
+  incoming.answer.inferred = layer.size() - layer.asserted_size();
+  incoming.answer.warnings = AbsentImports(incoming.content, base->modules, state_->aliases);
+  for (std::string& clash : DescribeClashes(incoming.view)) {
+    incoming.answer.warnings.push_back(std::move(clash));
+  }
+  switch (request.kind) {
+    case DocumentKind::kRecipe:
+      UnderstandRecipe(state_->engines, incoming);
+      break;
+    case DocumentKind::kRobot:
+      UnderstandRobot(state_->engines, incoming);
+      break;
+    default:
+      UnderstandObjectModel(state_->store, incoming);
+      break;
+  }
+  incoming.details["statements"] = incoming.answer.statements;
+  for (const rdf::Remark& remark : incoming.answer.remarks) {
+    incoming.details["remarks"].push_back(ToJson(remark));
+  }
+  if (!incoming.answer.warnings.empty()) incoming.details["warnings"] = incoming.answer.warnings;
+  incoming.answer.document = Store(state_->store, incoming);
+  return incoming.answer;
+}
+
+PutAnswer Knowledge::PutOntology(const PutRequest& request, const rdf::Graph& graph,
+                                 const rdf::Document& content) {
+  const std::lock_guard lock(state_->ontology_mutex);
+  std::map<std::string, rdf::Graph> next = state_->stored_graphs;
+  next[request.id] = graph;
+  std::vector<rdf::Graph> stored;
+  for (const auto& [id, other] : next) stored.push_back(other);
+  const auto before = state_->catalogue();
+  auto catalogue =
+      MakeCatalogue(state_->dictionary, state_->own_graphs, stored, before->generation + 1);
+  Incoming incoming{request, request.file_name, {}, {}, catalogue->view, {}, json::object(), {}};
+  incoming.answer.remarks = content.remarks;
+  incoming.answer.statements = graph.triples.size();
+  const auto& layer = *catalogue->view.layers().back();
+  incoming.answer.inferred = layer.size() - layer.asserted_size();
+  incoming.answer.warnings = AbsentImports(content, catalogue->modules, state_->aliases);
+  for (std::string& clash : DescribeClashes(catalogue->view)) {
+    incoming.answer.warnings.push_back(std::move(clash));
+  }
+  incoming.details["statements"] = incoming.answer.statements;
+  incoming.answer.document = Store(state_->store, incoming);
+  state_->stored_graphs = std::move(next);
+  state_->Publish(std::move(catalogue));
+  return incoming.answer;
+}
+
+void Knowledge::Remove(DocumentKind kind, const std::string& id) {
+  if (kind != DocumentKind::kOntology) {
+    state_->store.DeleteDocument(kind, id);
+    return;
+  }
+  const std::lock_guard lock(state_->ontology_mutex);
+  state_->store.DeleteDocument(kind, id);
+  state_->stored_graphs.erase(id);
+  std::vector<rdf::Graph> stored;
+  for (const auto& [other_id, graph] : state_->stored_graphs) stored.push_back(graph);
+  state_->Publish(MakeCatalogue(state_->dictionary, state_->own_graphs, stored,
+                                state_->catalogue()->generation + 1));
+}
+
+}  // namespace lares::server

@@ -1,0 +1,64 @@
+// Environments: a semantic layer is understood before its version is acknowledged.
+#include <algorithm>
+#include <utility>
+
+#include "ontology/rdf/writer.h"
+#include "server/knowledge/knowledge.h"
+#include "server/knowledge/state.h"
+
+namespace lares::server {
+namespace {
+
+const store::LayerInfo* SemanticLayer(const std::vector<store::LayerInfo>& layers) {
+  const auto layer = std::find_if(layers.begin(), layers.end(),
+                                  [](const auto& other) { return other.name == "semantic"; });
+  return layer == layers.end() ? nullptr : &*layer;
+}
+
+}  // namespace
+
+Knowledge::VersionAnswer Knowledge::PutVersion(const store::NewVersion& original) {
+  store::NewVersion version = original;
+  VersionAnswer answer;
+  if (!version.type_iri.empty()) version.type_iri = ResolveClass(version.type_iri).iri;
+  if (const store::LayerInfo* layer = SemanticLayer(version.layers)) {
+    // Understood as the version it would become; the view stays in the cache for the first
+    // question.
+    store::EnvironmentVersion draft;
+    draft.environment = version.environment;
+    draft.layers = {*layer};
+    answer.remarks =
+        ReadStored(state_->store, layer->blob, layer->media_type, layer->file_name).remarks;
+    const rdf::View view = state_->ViewOf({nullptr, nullptr, &draft});
+    answer.objects = semantic::ReadMapObjects(view);
+    answer.warnings = DescribeClashes(view);
+    for (store::LayerInfo& stored : version.layers) {
+      if (stored.name == "semantic") {
+        stored.facts["objects"] = std::to_string(answer.objects.size());
+      }
+    }
+  }
+  answer.version = state_->store.PutVersion(version);
+  return answer;
+}
+
+std::string Knowledge::RenderSemantic(const std::string& environment, int version,
+                                      rdf::Format format) {
+  const store::EnvironmentVersion stored = state_->store.GetVersion(environment, version);
+  const store::LayerInfo* layer = SemanticLayer(stored.layers);
+  if (layer == nullptr) {
+    throw Error(Code::kNotFound, "version " + std::to_string(stored.number) + " of '" +
+                                     environment + "' has no semantic layer");
+  }
+  return rdf::WriteRdf(ReadStored(state_->store, layer->blob, layer->media_type, layer->file_name),
+                       format);
+}
+
+std::vector<semantic::MapObject> Knowledge::MapObjects(const std::string& environment,
+                                                       int version) {
+  const store::EnvironmentVersion stored = state_->store.GetVersion(environment, version);
+  if (SemanticLayer(stored.layers) == nullptr) return {};
+  return semantic::ReadMapObjects(state_->ViewOf({nullptr, nullptr, &stored}));
+}
+
+}  // namespace lares::server

@@ -1,0 +1,103 @@
+#include "server/knowledge/knowledge.h"
+
+#include <utility>
+
+#include "base/file.h"
+#include "base/search_path.h"
+#include "ontology/rdf/reader.h"
+#include "reasoner/owl/materialise.h"
+#include "server/knowledge/state.h"
+
+namespace lares::server {
+
+std::string GraphName(store::DocumentKind kind, const std::string& id) {
+  return std::string(store::ToString(kind)) + ":" + id;
+}
+
+std::string EnvironmentGraphName(const std::string& environment) {
+  return "environment:" + environment;
+}
+
+rdf::Document ReadStored(const store::Store& store, const store::Blob& blob,
+                         const std::string& media_type, const std::string& file_name) {
+  const std::string bytes = store.ReadBlob(blob.sha256);
+  rdf::ReadOptions options;
+  options.source = file_name;
+  options.recover = true;  // it was accepted once; what was repaired then is repaired again
+  return rdf::ReadRdf(bytes, rdf::GuessFormat(media_type, file_name, bytes), options);
+}
+
+Knowledge::Knowledge(store::Store& store, prolog::EnginePool& engines)
+    : state_(std::make_unique<State>(store, engines)) {
+  const std::filesystem::path aliases = FindShared("ontology/aliases.tsv");
+  state_->aliases = rdf::AliasTable::FromTsv(ReadFile(aliases), aliases.filename().string());
+  state_->own_graphs = LoadOwnModules(state_->aliases, *state_->dictionary);
+  std::vector<rdf::Graph> stored;
+  for (const store::DocumentInfo& document : store.ListDocuments(store::DocumentKind::kOntology)) {
+    const rdf::Document content =
+        ReadStored(store, document.blob, document.media_type, document.file_name);
+    stored.push_back(rdf::MakeGraph(content, GraphName(document.kind, document.id), state_->aliases,
+                                    *state_->dictionary));
+    state_->stored_graphs[document.id] = stored.back();
+  }
+  state_->Publish(MakeCatalogue(state_->dictionary, state_->own_graphs, stored, 1));
+}
+
+Knowledge::~Knowledge() = default;
+
+rdf::View Knowledge::State::Over(const rdf::View& below, const std::string& key,
+                                 const std::string& graph_name,
+                                 const store::DocumentInfo& document) {
+  return views.GetOrMake(key, [&] {
+    const rdf::Document content =
+        ReadStored(store, document.blob, document.media_type, document.file_name);
+    return below.With(
+        owl::Materialise(below, {rdf::MakeGraph(content, graph_name, aliases, *dictionary)}));
+  });
+}
+
+rdf::View Knowledge::State::ViewOf(const Stack& stack) {
+  const std::shared_ptr<const CatalogueState> base = catalogue();
+  rdf::View view = base->view;
+  std::string key = std::to_string(base->generation);
+  // The robot is the largest and changes least, so it lies below what is asked about it.
+  for (const store::DocumentInfo* document : {stack.robot, stack.recipe}) {
+    if (document == nullptr) continue;
+    const std::string name = GraphName(document->kind, document->id);
+    key += "|" + name + "@" + document->blob.sha256;
+    view = Over(view, key, name, *document);
+  }
+  if (stack.environment == nullptr) return view;
+  for (const store::LayerInfo& layer : stack.environment->layers) {
+    if (layer.name != "semantic") continue;
+    store::DocumentInfo document;
+    document.blob = layer.blob;
+    document.media_type = layer.media_type;
+    document.file_name = layer.file_name;
+    const std::string name = EnvironmentGraphName(stack.environment->environment);
+    key += "|" + name + "@" + layer.blob.sha256;
+    view = Over(view, key, name, document);
+  }
+  return view;
+}
+
+const rdf::AliasTable& Knowledge::aliases() const { return state_->aliases; }
+
+std::vector<Knowledge::Module> Knowledge::Modules() const { return state_->catalogue()->modules; }
+
+rdf::View Knowledge::Catalogue() const { return state_->catalogue()->view; }
+
+Knowledge::Counts Knowledge::counts() const {
+  const auto catalogue = state_->catalogue();
+  Counts counts;
+  counts.terms = state_->dictionary->size();
+  counts.views_cached = state_->views.size();
+  for (const auto& layer : catalogue->view.layers()) {
+    counts.asserted += layer->asserted_size();
+    counts.inferred += layer->size() - layer->asserted_size();
+    counts.clashes += layer->clashes().size();
+  }
+  return counts;
+}
+
+}  // namespace lares::server

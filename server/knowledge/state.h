@@ -1,0 +1,71 @@
+// What the service holds, shared by its files.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <shared_mutex>
+#include <string>
+#include <vector>
+
+#include "server/knowledge/catalogue.h"
+#include "server/knowledge/view_cache.h"
+
+namespace lares::server {
+
+// A prior table split into what is ranked together.
+struct PlaceTables {
+  std::string title;
+  places::PriorTable rooms;
+  places::PriorTable furniture;
+};
+
+struct Knowledge::State {
+  State(store::Store& store_in, prolog::EnginePool& engines_in)
+      : store(store_in), engines(engines_in) {}
+
+  store::Store& store;
+  prolog::EnginePool& engines;
+  std::shared_ptr<rdf::Dictionary> dictionary = std::make_shared<rdf::Dictionary>();
+  rdf::AliasTable aliases;
+  std::vector<rdf::Graph> own_graphs;
+
+  std::mutex ontology_mutex;                        // one change of the catalogue at a time
+  std::map<std::string, rdf::Graph> stored_graphs;  // under ontology_mutex
+  mutable std::shared_mutex catalogue_mutex;        // guards the pointer only
+  std::shared_ptr<const CatalogueState> catalogue_now;
+
+  ViewCache views{64};
+  std::mutex priors_mutex;
+  std::map<std::string, std::shared_ptr<const PlaceTables>> priors;  // by name@version#generation
+
+  std::shared_ptr<const CatalogueState> catalogue() const {
+    const std::shared_lock lock(catalogue_mutex);
+    return catalogue_now;
+  }
+  void Publish(std::shared_ptr<const CatalogueState> next) {
+    const std::unique_lock lock(catalogue_mutex);
+    catalogue_now = std::move(next);
+  }
+
+  // `below` closed with one more document. `key` names `below` and the document together.
+  rdf::View Over(const rdf::View& below, const std::string& key, const std::string& graph_name,
+                 const store::DocumentInfo& document);
+  // Catalogue + robot + recipe + environment, each where given.
+  struct Stack {
+    const store::DocumentInfo* robot = nullptr;
+    const store::DocumentInfo* recipe = nullptr;
+    const store::EnvironmentVersion* environment = nullptr;
+  };
+  rdf::View ViewOf(const Stack& stack);
+};
+
+// Name of a document's graph in every view: "recipe:find-bottle".
+std::string GraphName(store::DocumentKind kind, const std::string& id);
+std::string EnvironmentGraphName(const std::string& environment);
+
+// The document, read with what is known of its format.
+rdf::Document ReadStored(const store::Store& store, const store::Blob& blob,
+                         const std::string& media_type, const std::string& file_name);
+
+}  // namespace lares::server

@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# Every command in a ```sh block of README.md and docs/*.md works as written. Lines that begin with
+# ./ are not run here (./start is run by the demonstration session, ./check runs this).
+. "$(dirname "$0")/session.sh"
+start_server
+cd "$session_root" || exit 1
+for document in README.md docs/*.md; do
+  while IFS= read -r line; do
+    case "$line" in "" | "#"* | "./"* | "git clone"* | "cd "*) continue ;; esac
+    code=0
+    case "$line" in *"# exit code "*) code="${line##*# exit code }"; code="${code%%[!0-9]*}" ;; esac
+    expect "$code" bash -c "set -o pipefail; ${line%%  #*}"
+  done < <(awk '/^```sh$/ {on = 1; next} /^```/ {on = 0} on' "$document")
+done

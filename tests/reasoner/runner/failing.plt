@@ -1,0 +1,5 @@
+:- begin_tests(failing).
+
+test(fails, fail) :- true.
+
+:- end_tests(failing).
