@@ -62,27 +62,31 @@ void Connection::PutBack(std::string header) { input_.insert(0, header); }
 
 void Connection::BeginRequest() {
   bytes_in_ = bytes_out_ = 0;
-  began_ = std::chrono::steady_clock::now();
+  waited_ = {};
 }
 
 bool Connection::Wait(short events, std::chrono::milliseconds time) {
   pollfd waiting{fd_, events, 0};
-  while (true) {
-    const int ready = ::poll(&waiting, 1, static_cast<int>(time.count()));
-    if (ready > 0) return true;
-    if (ready == 0) stalled_ = true;
-    if (ready == 0 || errno != EINTR) return false;
-  }
+  const auto start = std::chrono::steady_clock::now();
+  int ready = -1;
+  do {
+    ready = ::poll(&waiting, 1, static_cast<int>(time.count()));
+  } while (ready < 0 && errno == EINTR);
+  waited_ += std::chrono::steady_clock::now() - start;
+  if (ready == 0) stalled_ = true;
+  return ready > 0;
+}
+
+bool Connection::TooSlow(std::uint64_t bytes) const {
+  const double seconds = std::chrono::duration<double>(waited_).count();
+  return waited_ > limits_.stall_time &&
+         static_cast<double>(bytes) < seconds * static_cast<double>(limits_.min_bytes_per_second);
 }
 
 long Connection::Read(char* bytes, std::size_t size) {
   if (read_failed_) return -1;
   if (!has_input()) {
-    const auto elapsed = std::chrono::steady_clock::now() - began_;
-    const double seconds = std::chrono::duration<double>(elapsed).count();
-    if (elapsed > limits_.stall_time &&
-        static_cast<double>(bytes_in_) <
-            seconds * static_cast<double>(limits_.min_bytes_per_second)) {
+    if (TooSlow(bytes_in_)) {
       stalled_ = read_failed_ = true;
       return -1;
     }
@@ -122,7 +126,7 @@ bool Connection::Flush() {
     if (sent >= 0) {
       rest.remove_prefix(static_cast<std::size_t>(sent));
     } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
-      write_failed_ = !Wait(POLLOUT, limits_.stall_time);
+      write_failed_ = TooSlow(bytes_out_) || !Wait(POLLOUT, limits_.stall_time);
     } else if (errno != EINTR) {
       write_failed_ = true;
     }

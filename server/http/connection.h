@@ -13,7 +13,7 @@ struct ConnectionLimits {
   std::chrono::milliseconds header_time{10'000};  // from a request's first byte to its empty line
   std::chrono::milliseconds idle_time{30'000};    // between two requests
   std::chrono::milliseconds stall_time{10'000};   // without a byte moving in a body or response
-  std::uint64_t min_bytes_per_second = 1024;      // of a body, once it has taken `stall_time`
+  std::uint64_t min_bytes_per_second = 1024;      // of what was waited for longer than `stall_time`
 };
 
 // Owns the descriptor. Used by one thread at a time.
@@ -51,6 +51,7 @@ class Connection {
 
  private:
   bool Wait(short events, std::chrono::milliseconds time);
+  bool TooSlow(std::uint64_t bytes) const;
 
   int fd_;
   std::string remote_;
@@ -64,7 +65,7 @@ class Connection {
   bool stalled_ = false;
   std::uint64_t bytes_in_ = 0;
   std::uint64_t bytes_out_ = 0;
-  std::chrono::steady_clock::time_point began_{};
+  std::chrono::steady_clock::duration waited_{};  // for the peer, since BeginRequest
 };
 
 }  // namespace lares::http
