@@ -38,6 +38,12 @@ void WriteNotes(std::ostream& out, const std::vector<std::string>& notes, const 
 // As its document spells it: what a person would search a robot's or recipe's file for.
 std::string Name(const Resource& resource) { return std::string(LocalName(resource.as_written)); }
 
+// The name, and the label where it says more.
+std::string FullName(const Resource& resource) {
+  const std::string name = Name(resource);
+  return resource.label == name ? name : name + " (" + resource.label + ")";
+}
+
 std::string Joined(const std::vector<Resource>& resources, const char* separator) {
   std::string text;
   for (const Resource& resource : resources) {
@@ -69,7 +75,7 @@ void WriteFinding(std::ostream& out, const Finding& finding, int depth) {
 
 std::string ToText(const Plan& plan) {
   std::ostringstream out;
-  out << "Plan: " << plan.task.label << ", for " << plan.robot.label;
+  out << "Plan: " << FullName(plan.task) << ", for " << plan.robot.label;
   if (!plan.environment.empty()) {
     out << ", in " << plan.environment << " (version " << plan.environment_version << ")";
   }
@@ -98,8 +104,8 @@ std::string ToText(const Plan& plan) {
 
 std::string ToText(const MatchReport& report) {
   std::ostringstream out;
-  out << report.robot.label << (report.feasible ? " can do " : " cannot do ") << report.task.label
-      << ".\n";
+  out << report.robot.label << (report.feasible ? " can do " : " cannot do ")
+      << FullName(report.task) << ".\n";
   if (!report.needs.empty()) out << "The steps need:\n";
   for (const Need& need : report.needs) {
     out << "  " << Name(need.step) << " needs " << Name(need.capability);

@@ -20,8 +20,10 @@ std::string Summary(const DocumentCommand& command, const Json& answer) {
                      std::to_string(answer.value("inferred", std::size_t{0})) + " inferred\n";
   for (const Json& task : answer.value("tasks", Json::array())) {
     if (!task.value("top_level", true)) continue;
-    text += "  task " + TextOf(task, "label") + " (" + Plural(task.at("steps").size(), "step") +
-            ", " + TextOf(task, "form") + ")\n";
+    const std::string name(LocalName(TextOf(task, "iri")));
+    const std::string label = TextOf(task, "label");
+    text += "  task " + name + (label == name ? "" : " '" + label + "'") + " (" +
+            Plural(task.at("steps").size(), "step") + ", " + TextOf(task, "form") + ")\n";
   }
   for (const Json& robot : answer.value("robots", Json::array())) {
     text += "  robot " + TextOf(robot, "label") + " <" + TextOf(robot, "iri") + ">\n";
