@@ -224,7 +224,7 @@ TEST(TextExport, TellsThePlanAndTheRefusal) {
   EXPECT_THAT(plan, HasSubstr("exhausted -> stop-vision  (added: "));
   const std::string refusal =
       recipes::ToText(LibraryPlan("fetch-drink", "FetchDrink", "scout").match);
-  EXPECT_THAT(refusal, HasSubstr("cannot do fetch a drink"));
+  EXPECT_THAT(refusal, HasSubstr("cannot do FetchDrink (fetch a drink)"));
   EXPECT_THAT(refusal, HasSubstr("The smallest repair is to add: "));
 }
 

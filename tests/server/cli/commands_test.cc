@@ -17,7 +17,7 @@ TEST_F(CliTest, ARecipeIsPutListedReadAndRemoved) {
   const Outcome put = Lares({"recipe", "put", file});
   EXPECT_EQ(put.code, 0) << put.err;
   EXPECT_THAT(put.out, AllOf(StartsWith("recipe search, version 1: "),
-                             HasSubstr("task FindBottle (1 step, state-machine)"),
+                             HasSubstr("task urn:x 'FindBottle' (1 step, state-machine)"),
                              HasSubstr("warnings:\n  'urn:absent'")));
   EXPECT_THAT(Lares({"recipe", "list"}).out,
               AllOf(HasSubstr("ID"), HasSubstr("search"), HasSubstr("Label of search")));
