@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace lares {
 
@@ -54,6 +55,13 @@ class Error : public std::runtime_error {
     return *this;
   }
 
+  // The things that an ambiguous name may mean, or the names near an unknown one.
+  const std::vector<std::string>& candidates() const { return candidates_; }
+  Error& WithCandidates(std::vector<std::string> candidates) {
+    candidates_ = std::move(candidates);
+    return *this;
+  }
+
   // "recipe.owl:715:6: malformed comment"
   std::string FullMessage() const;
 
@@ -61,6 +69,7 @@ class Error : public std::runtime_error {
   Code code_;
   std::optional<Place> place_;
   std::string hint_;
+  std::vector<std::string> candidates_;
 };
 
 }  // namespace lares

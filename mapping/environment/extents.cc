@@ -8,7 +8,7 @@ namespace lares::environment {
 namespace {
 
 constexpr double kGrossRatio = 3;
-constexpr double kGrossDifference_m = 3;
+constexpr double kGrossDifference_m = 8;
 constexpr double kGrossGap_m = 1;
 
 using Bounds = std::array<double, 6>;
@@ -36,7 +36,9 @@ std::string Metres(double length_m) {
 std::string Compare(const std::string& larger, const Bounds& larger_m, const std::string& smaller,
                     const Bounds& smaller_m) {
   const double long_m = LongerSide_m(larger_m), short_m = LongerSide_m(smaller_m);
-  if (long_m > kGrossRatio * short_m && long_m - short_m > kGrossDifference_m) {
+  // A robot may well have stayed in one corner.
+  const bool may_be_part = smaller == "trajectory";
+  if (!may_be_part && long_m > kGrossRatio * short_m && long_m - short_m > kGrossDifference_m) {
     return "the " + larger + " layer is " + Metres(long_m) + " long but the " + smaller +
            " layer only " + Metres(short_m) + ": are they of one environment?";
   }

@@ -39,7 +39,9 @@ LayerFacts CheckFeatures(ByteReader& reader) {
 LayerFacts CheckGridFile(const std::filesystem::path& file, const std::string& file_name) {
   ByteReader reader = ByteReader::OfFile(file, file_name);
   const std::string_view front = reader.PeekFront(512);
-  if (LooksLike(front) != "a tar archive") reader.Fail(NotA("a tar of map YAML and PGM", front));
+  const std::string_view looks = LooksLike(front);
+  const bool may_be_tar = looks == "a tar archive" || (looks.empty() && !front.empty());
+  if (!may_be_tar) reader.Fail(NotA("a tar of map YAML and PGM", front));
   return CheckGrid([&] { return TarReader::OfFile(file, file_name); }, file_name);
 }
 

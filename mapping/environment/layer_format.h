@@ -32,10 +32,10 @@ struct LayerFacts {
 LayerFacts CheckLayer(std::string_view name, const std::filesystem::path& file,
                       std::string_view file_name);
 
-// One sentence for each two layers whose bounds cannot be of one room: on the floor plan one is
-// more than three times and 3 m longer than the other, or they lie more than 1 m apart. Layers
-// without bounds are passed over; give `semantic` the bounds of its map objects
-// (semantic::BoundsOf).
+// One sentence for each two layers whose bounds can hardly be of one place: on the floor plan one
+// is more than three times and 8 m longer than the other (but a trajectory may be short), or they
+// lie more than 1 m apart. Layers without bounds are passed over; give `semantic` the bounds of its
+// map objects (semantic::BoundsOf).
 std::vector<std::string> WarnOnExtents(const std::map<std::string, LayerFacts>& layers);
 
 }  // namespace lares::environment

@@ -119,7 +119,7 @@ class RaptorPass {
   std::uint32_t ObjectOf(const raptor_term& term, std::uint32_t predicate);
   std::string_view LanguageOfAttribute(std::string_view predicate, std::string_view value);
   int Line() const;
-  // The tag that ends on `line` or last before it: Raptor knows lines only.
+  // The first tag on `line` or the last before it: Raptor knows lines only.
   Place PlaceOfTag(int line) const;
   Place Here() const;
 
@@ -306,7 +306,8 @@ Place RaptorPass::PlaceOfTag(int line) const {
   if (line <= 0) return {options_.source, 0, 0};
   const std::size_t start = LineStart(bytes_, line);
   const std::size_t end = std::min(bytes_.find('\n', start), bytes_.size());
-  const std::size_t tag = bytes_.substr(0, end).rfind('<');
+  std::size_t tag = bytes_.substr(0, end).find('<', start);
+  if (tag == std::string_view::npos) tag = bytes_.substr(0, start).rfind('<');
   return PlaceAt(bytes_, tag == std::string_view::npos ? start : tag, options_.source);
 }
 

@@ -1,6 +1,7 @@
 #include "ontology/rdf/reader.h"
 
 #include "base/text.h"
+#include "ontology/rdf/byte_set.h"
 #include "ontology/rdf/parsers.h"
 #include "ontology/rdf/position.h"
 #include "ontology/rdf/term_checks.h"
@@ -34,7 +35,7 @@ std::size_t EndOfUtf8(std::string_view bytes) {
 }
 
 void CheckText(std::string_view bytes, const std::string& source) {
-  if (!IsUtf8(bytes)) {
+  if (!IsAscii(bytes) && !IsUtf8(bytes)) {
     throw Error(Code::kInvalid, "a byte that is not UTF-8",
                 PlaceAt(bytes, EndOfUtf8(bytes), source));
   }

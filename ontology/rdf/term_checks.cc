@@ -1,9 +1,9 @@
 #include "ontology/rdf/term_checks.h"
 
 #include <algorithm>
-#include <array>
 
 #include "base/text.h"
+#include "ontology/rdf/byte_set.h"
 
 namespace lares::rdf {
 namespace {
@@ -11,18 +11,13 @@ namespace {
 bool IsAlpha(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool IsAlnum(char c) { return IsAlpha(c) || (c >= '0' && c <= '9'); }
 
-constexpr std::array<bool, 256> ForbiddenInIri() {
-  std::array<bool, 256> forbidden{};
-  for (int c = 0; c <= 0x20; ++c) forbidden[static_cast<std::size_t>(c)] = true;
-  for (const char c : std::string_view("<>\"{}|\\^`")) {
-    forbidden[static_cast<unsigned char>(c)] = true;
-  }
-  return forbidden;
-}
+constexpr ByteSet kForbiddenInIri(
+    std::string_view("\x00\x01\x02\x03\x04\x05\x06\x07\x08\x09\x0A\x0B\x0C\x0D\x0E\x0F"
+                     "\x10\x11\x12\x13\x14\x15\x16\x17\x18\x19\x1A\x1B\x1C\x1D\x1E\x1F"
+                     " <>\"{}|\\^`",
+                     42));
 
-constexpr std::array<bool, 256> kForbiddenInIri = ForbiddenInIri();
-
-bool IsForbiddenInIri(char c) { return kForbiddenInIri[static_cast<unsigned char>(c)]; }
+bool IsWellFormedUtf8(std::string_view text) { return IsAscii(text) || IsUtf8(text); }
 
 bool HasScheme(std::string_view iri) {
   if (iri.empty() || !IsAlpha(iri[0])) return false;
@@ -47,12 +42,13 @@ bool IsLanguageTag(std::string_view tag) {
 }
 
 std::optional<std::string> FaultOfIri(std::string_view iri) {
-  const auto bad = std::find_if(iri.begin(), iri.end(), IsForbiddenInIri);
-  if (bad != iri.end()) {
-    const std::string name = *bad == ' ' ? "a space"
-                             : static_cast<unsigned char>(*bad) < 0x20
+  const std::size_t at = kForbiddenInIri.Find(iri, 0);
+  if (at < iri.size()) {
+    const char bad = iri[at];
+    const std::string name = bad == ' ' ? "a space"
+                             : static_cast<unsigned char>(bad) < 0x20
                                  ? "a control character"
-                                 : "the character '" + std::string(1, *bad) + "'";
+                                 : "the character '" + std::string(1, bad) + "'";
     return "the IRI " + Quoted(iri) + " has " + name + " in it";
   }
   if (!HasScheme(iri)) return "the IRI " + Quoted(iri) + " is relative, and no base IRI is known";
@@ -62,15 +58,16 @@ std::optional<std::string> FaultOfIri(std::string_view iri) {
 }  // namespace
 
 bool IsAbsoluteIri(std::string_view iri) {
-  return HasScheme(iri) && std::none_of(iri.begin(), iri.end(), IsForbiddenInIri);
+  return HasScheme(iri) && kForbiddenInIri.Find(iri, 0) == iri.size();
 }
 
 std::optional<std::string> FaultOf(const TermView& term) {
   if (term.kind == TermKind::kBlank) return std::nullopt;
-  if (!IsUtf8(term.value)) return "the term " + Quoted(term.value) + " is not UTF-8";
+  if (!IsWellFormedUtf8(term.value)) return "the term " + Quoted(term.value) + " is not UTF-8";
   if (term.kind == TermKind::kIri) return FaultOfIri(term.value);
   if (!term.datatype.empty()) {
-    if (!IsUtf8(term.datatype)) return "the datatype " + Quoted(term.datatype) + " is not UTF-8";
+    if (!IsWellFormedUtf8(term.datatype))
+      return "the datatype " + Quoted(term.datatype) + " is not UTF-8";
     if (auto fault = FaultOfIri(term.datatype)) return fault;
   }
   if (!term.language.empty() && !IsLanguageTag(term.language)) {
@@ -87,9 +84,11 @@ bool IsBlankLabel(std::string_view label) {
 
 std::string Quoted(std::string_view text) {
   constexpr std::size_t kLongest = 80;
+  const bool is_utf8 = IsUtf8(text);
   std::string quoted = "'";
   for (const char c : text.substr(0, kLongest)) {
-    quoted += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;
+    const auto byte = static_cast<unsigned char>(c);
+    quoted += byte < 0x20 || byte == 0x7F || (byte >= 0x80 && !is_utf8) ? '?' : c;
   }
   if (text.size() > kLongest) {
     while (!IsUtf8(quoted) && quoted.size() > 1) quoted.pop_back();

@@ -16,6 +16,7 @@
 #include <tuple>
 
 #include "base/text.h"
+#include "ontology/rdf/position.h"
 #include "ontology/rdf/term_checks.h"
 #include "ontology/rdf/vocabulary.h"
 
@@ -70,6 +71,7 @@ std::size_t EntitySizes::SizeOf(const std::string& name, int depth) {
 }
 
 struct XmlPass {
+  std::string_view bytes;
   const ReadOptions& options;
   xmlParserCtxtPtr context = nullptr;
   EntitySizes entities;
@@ -110,12 +112,22 @@ bool IsOnlyOdd(const xmlError& error) {
          (error.code == XML_WAR_NS_URI || error.code == XML_WAR_NS_URI_RELATIVE);
 }
 
+// libxml2 names the end of the document; the comment's beginning says more.
+Place PlaceOfOpenComment(const XmlPass& pass) {
+  const std::size_t last_end = pass.bytes.rfind("-->");
+  const std::size_t from = last_end == std::string_view::npos ? 0 : last_end + 3;
+  return PlaceAt(pass.bytes, std::min(pass.bytes.find("<!--", from), pass.bytes.size()),
+                 pass.options.source);
+}
+
 void OnError(void* data, xmlErrorPtr error) {
   XmlPass& pass = PassOf(data);
   if (error == nullptr || pass.fault) return;
   std::string message(Trim(error->message == nullptr ? "not well-formed" : error->message));
   while (!IsUtf8(message)) message.pop_back();
-  const Place place{pass.options.source, error->line, error->int2};
+  const Place place = error->code == XML_ERR_COMMENT_NOT_FINISHED
+                          ? PlaceOfOpenComment(pass)
+                          : Place{pass.options.source, error->line, error->int2};
   if (error->level >= XML_ERR_ERROR && !IsOnlyOdd(*error)) {
     pass.Stop(Error(CodeOf(*error), message, place));
   } else if (pass.summary.warnings.size() < kMostWarnings) {
@@ -265,7 +277,8 @@ XmlSummary CheckXml(std::string_view bytes, const ReadOptions& options) {
   const std::unique_ptr<xmlParserCtxt, ContextDeleter> context(
       xmlCreateMemoryParserCtxt(bytes.data(), static_cast<int>(bytes.size())));
   if (!context) throw Error(Code::kUnavailable, "no memory for an XML parser");
-  XmlPass pass{options, context.get(), EntitySizes(options.max_entity_bytes + 1), {}, 0, {}, {}};
+  XmlPass pass{bytes, options, context.get(), EntitySizes(options.max_entity_bytes + 1), {}, 0,
+               {},    {}};
   context->_private = &pass;
   *context->sax = Handlers();
   xmlCtxtUseOptions(context.get(), XML_PARSE_NONET | XML_PARSE_NOENT);

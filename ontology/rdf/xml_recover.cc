@@ -1,7 +1,6 @@
 #include "ontology/rdf/xml_recover.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <set>
 
@@ -9,6 +8,7 @@
 #include "ontology/rdf/position.h"
 #include "ontology/rdf/term_checks.h"
 #include "ontology/rdf/vocabulary.h"
+#include "ontology/rdf/xml_declarations.h"
 #include "ontology/rdf/xml_tokens.h"
 
 namespace lares::rdf {
@@ -17,7 +17,6 @@ namespace {
 using Kind = XmlToken::Kind;
 using Attribute = XmlToken::Attribute;
 constexpr std::size_t kNowhere = std::string_view::npos;
-constexpr int kDeepestEntity = 16;
 
 bool IsBlankText(std::string_view text) { return Trim(text).empty(); }
 
@@ -44,63 +43,10 @@ std::string Escaped(std::string_view text) {
   return escaped;
 }
 
-// What the document declares: entities, and the prefixes of its elements.
-struct Declarations {
-  std::map<std::string, std::string, std::less<>> entities;
-  // Prefix → namespace; nothing for a prefix that the document binds to two.
-  std::map<std::string, std::optional<std::string>, std::less<>> prefixes;
-
-  // `text` with declared entities expanded; nothing when one is not declared.
-  std::optional<std::string> Expand(std::string_view text, int depth = 0) const;
-};
-
-std::optional<std::string> Declarations::Expand(std::string_view text, int depth) const {
-  if (depth > kDeepestEntity) return std::nullopt;
-  std::string expanded;
-  for (;;) {
-    const std::size_t at = text.find('&');
-    expanded += text.substr(0, at);
-    if (expanded.size() > (1u << 16)) return std::nullopt;
-    if (at == kNowhere) return expanded;
-    const std::size_t end = text.find(';', at);
-    if (end == kNowhere) return std::nullopt;
-    const auto entity = entities.find(text.substr(at + 1, end - at - 1));
-    if (entity == entities.end()) return std::nullopt;
-    const auto value = Expand(entity->second, depth + 1);
-    if (!value) return std::nullopt;
-    expanded += *value;
-    text.remove_prefix(end + 1);
-  }
-}
-
-Declarations Collect(std::string_view text) {
-  Declarations found;
-  std::vector<Attribute> bindings;
-  XmlTokens tokens(text);
-  for (XmlToken token = tokens.Next(); token.kind != Kind::kEnd; token = tokens.Next()) {
-    if (token.kind == Kind::kEntity) found.entities.emplace(token.name, token.value);
-    for (const Attribute& attribute : token.attributes) {
-      if (attribute.name.starts_with("xmlns:")) bindings.push_back(attribute);
-    }
-  }
-  for (const Attribute& binding : bindings) {
-    const std::string prefix(binding.name.substr(6));
-    const auto space = found.Expand(binding.value);
-    if (!space) continue;
-    const auto [row, is_new] = found.prefixes.emplace(prefix, space);
-    if (!is_new && row->second != space) row->second.reset();
-  }
-  found.prefixes.emplace("rdf", std::string(kRdf));
-  found.prefixes.emplace("rdfs", std::string(kRdfs));
-  found.prefixes.emplace("owl", std::string(kOwl));
-  found.prefixes.emplace("xsd", std::string(kXsd));
-  return found;
-}
-
 class Repairer {
  public:
   Repairer(std::string_view text, const ReadOptions& options)
-      : text_(text), options_(options), declared_(Collect(text)) {}
+      : text_(text), options_(options), declared_(CollectDeclarations(text)) {}
   RepairedXml Run();
 
  private:
@@ -156,7 +102,7 @@ class Repairer {
 
   std::string_view text_;
   const ReadOptions& options_;
-  Declarations declared_;
+  XmlDeclarations declared_;
   std::vector<Element> open_;
   std::vector<Change> changes_;
   std::vector<Noted> notes_;

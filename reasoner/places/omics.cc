@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "ontology/rdf/reader.h"
 #include "ontology/rdf/vocabulary.h"
 #include "reasoner/places/read_prior.h"
@@ -71,16 +72,17 @@ class Locations {
     throw Error(Code::kInvalid, "<" + iri + "> " + message, {source_, LineOf(iri)});
   }
 
-  // Where the text first names the individual, in full or by its local name; 0 when it does not.
+  // Where the text first names the individual, by its whole local name; 0 when it does not.
   int LineOf(const std::string& iri) const {
-    std::size_t at = bytes_.find(iri);
-    const std::size_t hash = iri.find_last_of("#/");
-    if (at == std::string_view::npos && hash != std::string::npos) {
-      at = bytes_.find(iri.substr(hash + 1));
+    const std::string_view local = LocalName(iri);
+    for (std::size_t at = bytes_.find(local); at != std::string_view::npos;
+         at = bytes_.find(local, at + 1)) {
+      const std::string_view after = bytes_.substr(at + local.size(), 1);
+      if (after.find_first_of("\"'> \t\r\n") == std::string_view::npos) continue;
+      const std::string_view before = bytes_.substr(0, at);
+      return 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
     }
-    if (at == std::string_view::npos) return 0;
-    return 1 + static_cast<int>(
-                   std::count(bytes_.begin(), bytes_.begin() + static_cast<long>(at), '\n'));
+    return 0;
   }
 
   const rdf::Document& document_;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/error.h"
 #include "reasoner/places/prior.h"
@@ -8,11 +9,9 @@ namespace lares::places {
 namespace {
 
 std::vector<std::string> SortedPlaces(const PriorTable& table) {
-  std::vector<std::string> places;
-  for (const PriorRow& row : table.rows) places.push_back(row.place);
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-  return places;
+  std::set<std::string_view> places;
+  for (const PriorRow& row : table.rows) places.insert(row.place);
+  return {places.begin(), places.end()};
 }
 
 }  // namespace

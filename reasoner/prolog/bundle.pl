@@ -15,10 +15,10 @@ main :-
 
 run([save, Out|Files]) :-
     load_rules(Files),
-    % What follows is for saving only and must not drag half the library into the state.
-    set_prolog_flag(autoload, true),
+    % What follows is for saving only and must not drag half the library into the state: `explicit`
+    % loads what a library declares when it is called, and nothing that a rule forgot to import.
+    set_prolog_flag(autoload, explicit),
     use_module(library(qsave), [qsave_program/2]),
-    set_prolog_flag(autoload, false),
     % Flags are saved: the bundler's own `halt` would end the server at the first message.
     set_prolog_flag(on_error, print),
     set_prolog_flag(on_warning, print),

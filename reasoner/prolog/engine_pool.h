@@ -13,7 +13,7 @@
 namespace lares::prolog {
 
 struct Options {
-  int engines = 4;                        // goals that may run at once; others wait
+  int engines = 4;  // goals that may run at once; others wait
   std::size_t stack_limit_bytes = 256u << 20;
 };
 
@@ -24,8 +24,8 @@ struct Limits {
 
 // Goals run only predicates of our own bundled modules (reasoner/rules/*.pl). While a goal runs,
 // rdf/3, rdf_asserted/3 and the like answer from `view`, which stays pinned until the goal has
-// ended in whatever way. A goal runs on the calling thread, on an engine which that thread keeps for
-// its next goal. Thread-safe; one per process.
+// ended in whatever way. A goal runs on the calling thread, on an engine which that thread keeps
+// for its next goal. Thread-safe; one per process.
 class EnginePool {
  public:
   explicit EnginePool(const Options& options = {});

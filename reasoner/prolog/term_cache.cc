@@ -2,6 +2,7 @@
 
 #include <SWI-Prolog.h>
 
+#include <bit>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -59,14 +60,14 @@ std::shared_ptr<TermCache> TermCache::For(const std::shared_ptr<rdf::Dictionary>
 }
 
 TermCache::TermCache(const std::shared_ptr<rdf::Dictionary>& dictionary)
-    : owner_(dictionary), dictionary_(*dictionary), chunks_(new std::atomic<Chunk*>[kChunks]()) {}
+    : owner_(dictionary), dictionary_(*dictionary) {}
 
 TermCache::~TermCache() {
-  for (std::uint32_t i = 0; i < kChunks; ++i) {
-    const std::unique_ptr<Chunk> chunk(chunks_[i].load());
-    if (chunk == nullptr) continue;
-    for (const Entry& entry : *chunk) {
-      if (entry.value == 0) continue;
+  for (std::size_t k = 0; k < kSegments; ++k) {
+    const std::unique_ptr<Entry[]> segment(segments_[k].load());
+    if (segment == nullptr) continue;
+    for (std::size_t i = 0; i < std::size_t{kFirstSegment} << k; ++i) {
+      const Entry& entry = segment[i];
       for (const AtomRef atom :
            {entry.value.load(), entry.datatype.load(), entry.language.load()}) {
         if (atom != 0) PL_unregister_atom(atom);
@@ -76,14 +77,15 @@ TermCache::~TermCache() {
 }
 
 TermCache::Entry& TermCache::EntryOf(rdf::TermId id) {
-  const auto index = static_cast<std::uint32_t>(id);
-  std::atomic<Chunk*>& slot = chunks_[index / kChunkSize];
-  Chunk* chunk = slot.load(std::memory_order_acquire);
-  if (chunk == nullptr) {
-    auto fresh = std::make_unique<Chunk>();
-    if (slot.compare_exchange_strong(chunk, fresh.get())) chunk = fresh.release();
+  const std::uint64_t place = std::uint64_t{static_cast<std::uint32_t>(id)} + kFirstSegment;
+  const auto k = static_cast<std::size_t>(std::bit_width(place / kFirstSegment)) - 1;
+  const std::uint64_t size = std::uint64_t{kFirstSegment} << k;
+  Entry* segment = segments_[k].load(std::memory_order_acquire);
+  if (segment == nullptr) {
+    auto fresh = std::make_unique<Entry[]>(size);
+    if (segments_[k].compare_exchange_strong(segment, fresh.get())) segment = fresh.release();
   }
-  return (*chunk)[index % kChunkSize];
+  return segment[place - size];
 }
 
 TermCache::Atoms TermCache::AtomsOf(rdf::TermId id) {

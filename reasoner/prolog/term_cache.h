@@ -43,9 +43,10 @@ class TermCache {
   struct Entry {
     std::atomic<AtomRef> value{0}, datatype{0}, language{0};
   };
-  static constexpr std::uint32_t kChunkSize = 1u << 14;
-  static constexpr std::uint32_t kChunks = 1u << 18;
-  using Chunk = std::array<Entry, kChunkSize>;
+  // Segment k holds 2^k times as many entries as the first, so that small dictionaries have small
+  // caches and entries never move.
+  static constexpr std::uint32_t kFirstSegment = 1u << 8;
+  static constexpr std::size_t kSegments = 25;
 
   struct Shard {
     std::shared_mutex mutex;
@@ -60,7 +61,7 @@ class TermCache {
 
   std::weak_ptr<rdf::Dictionary> owner_;
   const rdf::Dictionary& dictionary_;  // alive while any goal uses this cache
-  std::unique_ptr<std::atomic<Chunk*>[]> chunks_;
+  std::array<std::atomic<Entry*>, kSegments> segments_{};
   std::array<Shard, kShards> shards_;
 };
 

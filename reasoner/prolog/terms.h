@@ -24,6 +24,6 @@ Value GetValue(TermRef term);
 std::string TextOf(TermRef term);
 
 inline constexpr int kMaxDepth = 2000;
-inline constexpr std::size_t kMaxNodes = 2'000'000;
+inline constexpr std::size_t kMaxNodes = 1'000'000;
 
 }  // namespace lares::prolog

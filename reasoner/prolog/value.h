@@ -36,13 +36,13 @@ struct Value {
 
   // Typed access; each throws kInternal naming what was found instead.
   std::int64_t integer() const;
-  double number() const;             // integers too
-  const std::string& text() const;   // atom or string
+  double number() const;            // integers too
+  const std::string& text() const;  // atom or string
   const List& list() const;
   const Compound& compound() const;
   const Dict& dict() const;
-  const Value& at(const std::string& key) const;         // of a dict; throws when absent
-  const Value* find(const std::string& key) const;       // of a dict; null when absent
+  const Value& at(const std::string& key) const;    // of a dict; throws when absent
+  const Value* find(const std::string& key) const;  // of a dict; null when absent
 };
 
 }  // namespace lares::prolog

@@ -259,11 +259,11 @@ ground_claim(_, Grounded, Grounded).
 %
 %   "A, B and C".
 
-naming([Last], [label(Last)]) :- !.
 naming([any(Members)|Rest], Names) :-
     !,
     append(Members, Rest, All),
     naming(All, Names).
+naming([Last], [label(Last)]) :- !.
 naming([One, Two], [label(One), " and "|Rest]) :-
     !,
     naming([Two], Rest).

@@ -15,9 +15,9 @@
 
 /** <module> Where the arguments of a skill come from
 
-A setting is setting{keys, robot, environment, place}: `keys` a list of
-`key(Value, Name, Type, Producer)` for what the plan's steps create, the robot's context, the
-environment's id ('' without one) and its individual or class ('' when unknown).
+A setting is setting{keys, robot, camera, environment, place}: `keys` a list of
+`key(Value, Name, Type, Producer)` for what the plan's steps create, the robot's context, its camera
+(see robot_camera/2) or `none`, the environment's id ('' without one) and its individual or class ('' when unknown).
 
 A parameter is param{name, type, unit, source, origin, text, value} with value one of iri(Iri),
 text(Text), key(Name), matrices(List, Frame).
@@ -81,8 +81,7 @@ from(recipe(Property, Filler), Input, Setting, Step, Parameters, Remarks) :-
     others_note(Others, Input, Step, Value, Notes),
     append(Remarks0, Notes, Remarks).
 from(robot(Fact), Input, Setting, _, Parameters, Remarks) :-
-    get_dict(robot, Setting, context(Robot, _, _)),
-    robot_fact(Fact, Robot, Input, Parameters, Remarks).
+    robot_fact(Fact, Setting, Input, Parameters, Remarks).
 from(part(Class), Input, Setting, _, [Parameter], []) :-
     get_dict(robot, Setting, context(Robot, _, _)),
     findall(Part, component(Robot-Class, Part), Found),
@@ -275,27 +274,25 @@ place_kind(Place, Place).
 
 % -- the robot --
 
-robot_fact(base_frame, Robot, Input, [Parameter], []) :-
+robot_fact(base_frame, Setting, Input, [Parameter], []) :-
+    get_dict(robot, Setting, context(Robot, _, _)),
     base_link(Robot, Link),
     link_name(Link, Name),
     parameter(Input, robot, Link, [Name], text(Name), Parameter).
-robot_fact(camera, Robot, Input, [Parameter], Remarks) :-
-    robot_camera(Robot, Camera, _, _),
+robot_fact(camera, Setting, Input, [Parameter], Remarks) :-
+    get_dict(camera, Setting, camera(Camera, _, _, Count)),
     link_name(Camera, Name),
     parameter(Input, robot, Camera, [Name], text(Name), Parameter),
-    camera_notes(Robot, Camera, Remarks).
-robot_fact(camera_pose, Robot, Input, [Parameter], []) :-
-    robot_camera(Robot, Camera, Root, Matrices),
+    camera_notes(Count, Camera, Remarks).
+robot_fact(camera_pose, Setting, Input, [Parameter], []) :-
+    get_dict(camera, Setting, camera(Camera, Root, Matrices, _)),
     Root \== none,
     link_name(Root, Frame),
     parameter(Input, robot, Camera, [label(Camera), " on ", label(Root)], matrices(Matrices, Frame),
               Parameter).
 
-camera_notes(Robot, Camera, [note(["the robot has ", CountText, " cameras; ", name(Camera),
+camera_notes(Count, Camera, [note(["the robot has ", CountText, " cameras; ", name(Camera),
                                    " is taken"])]) :-
-    findall(Part, component(Robot-'https://w3id.org/lares#Camera', Part), Found),
-    sort(Found, Cameras),
-    length(Cameras, Count),
     Count > 1,
     !,
     atom_number(CountText, Count).

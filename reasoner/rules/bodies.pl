@@ -2,7 +2,7 @@
           [ robots/2,
             robot_problems/2,
             base_link/2,
-            robot_camera/4,
+            robot_camera/2,
             has_matrix/1,
             placed_matrices/2
           ]).
@@ -87,17 +87,19 @@ base_link(Robot, Link) :-
             Links0),
     sort(Links0, [Link|_]).
 
-%!  robot_camera(+Robot, -Camera, -Root, -Matrices:list) is semidet.
+%!  robot_camera(+Robot, -Camera:compound) is semidet.
 %
-%   The camera to recognise things with, preferring one with a place in the kinematic chain; Root is
-%   the link at the chain's beginning and Matrices lead from it to the camera, all joints at zero.
-%   Root is `none` when the chain cannot be followed.
+%   `camera(Part, Root, Matrices, Count)`: the camera to recognise things with, of Count that the
+%   robot has, preferring one that is a link of the kinematic chain. Root is the link at the chain's
+%   beginning and Matrices lead from it to the camera, all joints at zero. Root is `none` when the
+%   chain cannot be followed.
 
-robot_camera(Robot, Camera, Root, Matrices) :-
+robot_camera(Robot, camera(Camera, Root, Matrices, Count)) :-
     findall(Part, (rdf(Part, rdf:type, lares:'Camera'), rdf(Robot, lares:subComponent, Part)),
             Found),
     sort(Found, Cameras),
-    Cameras \== [],
+    length(Cameras, Count),
+    Count > 0,
     (   member(Camera, Cameras),
         jointed(Camera),
         chain(Robot, Camera, Root, Matrices)
@@ -114,30 +116,43 @@ chain(Robot, Node, Root, Matrices) :-
     climb(Robot, Node, [Node], Root, [], Matrices),
     Matrices = [_|_].
 
+% From a link to the link before its joint, whose pose must be known; from a device to what it hangs
+% on.
 climb(Robot, Node, Seen, Root, Below, Matrices) :-
-    (   parent(Robot, Node, Parent)
-    ->  \+ memberchk(Parent, Seen),
-        (   rdf_asserted(Parent, lares:orientation, Individual)
-        ->  matrix(Individual, Matrix),
-            With = [Matrix|Below]
-        ;   With = Below
-        ),
-        climb(Robot, Parent, [Parent|Seen], Root, With, Matrices)
+    (   joint_before(Robot, Node, Joint, Link)
+    ->  \+ memberchk(Link, Seen),
+        joint_matrix(Joint, Matrix),
+        climb(Robot, Link, [Link|Seen], Root, [Matrix|Below], Matrices)
+    ;   rdf_asserted(Carrier, lares:subComponent, Node),
+        Carrier \== Robot
+    ->  \+ memberchk(Carrier, Seen),
+        climb(Robot, Carrier, [Carrier|Seen], Root, Below, Matrices)
     ;   Root = Node,
         Matrices = Below
     ).
 
-% Up one link or joint; a device hangs on the link that lists it.
-parent(Robot, Node, Parent) :-
-    (   joint_property(Property, Direction),
-        (   Direction = down
-        ->  rdf_asserted(Parent, Property, Node)
-        ;   rdf_asserted(Node, Property, Parent)
-        )
-    ;   rdf_asserted(Parent, lares:subComponent, Node)
+joint_before(Robot, Node, Joint, Link) :-
+    rdf_asserted(Joint, lares:succeedingLink, Node),
+    Joint \== Robot,
+    (   rdf_asserted(Link, lares:succeedingJoint, Joint)
+    ;   rdf_asserted(Joint, lares:precedingLink, Link)
     ),
-    Parent \== Robot,
     !.
+
+% Stated as the joint's orientation, or by the newest event in which the robot felt it.
+joint_matrix(Joint, Matrix) :-
+    rdf_asserted(Joint, lares:orientation, Individual),
+    !,
+    matrix(Individual, Matrix).
+joint_matrix(Joint, Matrix) :-
+    findall(When-Individual,
+            ( rdf_asserted(Event, lares:objectActedOn, Joint),
+              rdf_asserted(Event, lares:eventOccursAt, Individual),
+              ( rdf_asserted(Event, lares:startTime, Time) -> When = Time ; When = '' ) ),
+            Found),
+    keysort(Found, Sorted),
+    last(Sorted, _-Individual),
+    matrix(Individual, Matrix).
 
 %!  has_matrix(+Individual) is semidet.
 

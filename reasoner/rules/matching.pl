@@ -35,13 +35,13 @@ capability"])) :-
     !.
 match(Task, Robot, Strict, Report) :-
     all_steps(Task, Steps),
-    findall(Need, (member(Step, Steps), step_need(Step, Need)), Needs),
-    findall(What, member(need{step:_, what:What, chain:_}, Needs), All),
-    most_specific(All, Wanted),
+    findall(Need, (member(Step, Steps), step_need(Step, Need)), Needs0),
+    wanted(Needs0, Wanted),
     claimed_by_type(Robot, Claims),
     Context = context(Robot, Claims, Strict),
     maplist(evaluate(Context), Wanted, Findings0),
     mark_derivable(Findings0, Findings),
+    settle_unions(Needs0, Wanted, Findings, Needs),
     (   forall(member(Finding, Findings), usable(Finding))
     ->  Feasible = true,
         Repair = []
@@ -52,22 +52,52 @@ match(Task, Robot, Strict, Report) :-
     Report = match{feasible:Feasible, needs:Needs, capabilities:Findings, repair:Repair,
                    warnings:Warnings}.
 
+% The most specific of what is needed; a union only where none of its members is needed anyway.
+wanted(Needs, Wanted) :-
+    findall(What, (member(Need, Needs), get_dict(what, Need, What)), All),
+    sort(All, Distinct),
+    findall(Class, (member(Class, Distinct), atom(Class)), Classes),
+    most_specific(Classes, Specific),
+    findall(any(Members),
+            ( member(any(Members), Distinct),
+              \+ ( member(Member, Members), member(One, Specific), subclass(One, Member) ) ),
+            Unions),
+    append(Specific, Unions, Wanted).
+
+% In the report a union is the member that was taken.
+settle_unions(Needs0, Wanted, Findings, Needs) :-
+    findall(Need,
+            ( member(Need0, Needs0),
+              get_dict(what, Need0, What),
+              (   atom(What)
+              ->  Need = Need0
+              ;   nth0(Index, Wanted, What)
+              ->  nth0(Index, Findings, Finding),
+                  get_dict(what, Finding, Taken),
+                  put_dict(what, Need0, Taken, Need)
+              ) ),
+            Needs).
+
 %!  step_need(+Step, -Need:dict) is nondet.
 %
-%   One capability (or component) that the class Step needs, the most specific ones only, with the
-%   classes through which it is inherited.
+%   One capability (or component) that the class Step needs, the most specific ones only, or a union
+%   any(Classes), with the classes through which it is inherited.
 
 step_need(Step, need{step:Step, what:What, chain:Chain}) :-
     findall(Needed, step_dependency(Step, Needed), Found),
-    most_specific(Found, Kept),
-    member(What, Kept),
+    sort(Found, Distinct),
+    findall(Class, (member(Class, Distinct), atom(Class)), Classes),
+    most_specific(Classes, Kept),
+    (   member(What, Kept)
+    ;   member(any(Members), Distinct),
+        What = any(Members)
+    ),
     stating_chain(Step, What, Chain).
 
 step_dependency(Step, Needed) :-
     dependency_restriction(Step, Value),
     fillers(Value, Fillers),
-    member(Needed, Fillers),
-    atom(Needed).
+    member(Needed, Fillers).
 
 % The most general classes that state the need; the nearest of them.
 stating_chain(Step, What, Chain) :-

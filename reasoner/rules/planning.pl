@@ -8,6 +8,7 @@
 :- use_module(rules(templates)).
 :- use_module(rules(matching)).
 :- use_module(rules(bindings)).
+:- use_module(rules(bodies)).
 :- use_module(rules(flattening)).
 
 /** <module> From a recipe and a robot to a plan
@@ -46,7 +47,9 @@ plan(Task, Robot, Options, Place, Result) :-
     chosen_templates(Flat, Context, Answers, Chosen, Choices, Problems),
     (   Choices == [], Problems == []
     ->  keys(Chosen, Keys),
-        Setting = setting{keys:Keys, robot:Context, environment:Environment, place:Place},
+        ( robot_camera(Robot, Camera) -> true ; Camera = none ),
+        Setting = setting{keys:Keys, robot:Context, camera:Camera, environment:Environment,
+                          place:Place},
         states(Chosen, Setting, States, Remarks),
         finish(Flat, Chosen, States, Remarks, Result)
     ;   Result = failed{choices:Choices, problems:Problems}

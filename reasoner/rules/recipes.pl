@@ -26,15 +26,17 @@ orders `before(A, B, Id)`, likewise.
 
 :- rdf_meta
     own_restriction(r, r, -, -),
-    part(r, r, -).
+    part(r, r, -),
+    stated(-, r, -),
+    own_values(r, r, -).
 
 %!  task(+Class) is semidet.
 %
 %   Class says itself how it is done.
 
 task(Class) :-
-    task_property(Property),
     own_restriction(Class, Property, _, _),
+    task_property(Property),
     !.
 
 task_property(Property) :- rdf_equal(Property, lares:subAction).
@@ -98,8 +100,6 @@ own_step(Task, Step) :-
     own_values(Task, lares:subAction, Steps),
     member(Step, Steps).
 
-:- rdf_meta own_values(r, r, -).
-
 own_values(Task, Property, Values) :-
     findall(Value,
             ( own_restriction(Task, Property, _, Value), atom(Value) ),
@@ -110,11 +110,12 @@ own_values(Task, Property, Values) :-
 
 structure(Task, structure{kind:Kind, steps:Steps, starts:Starts, ends:Ends,
                           transitions:Transitions, orders:Orders}) :-
-    own_values(Task, lares:subAction, Steps),
-    own_values(Task, lares:taskStartState, Starts),
-    own_values(Task, lares:taskEndState, Ends),
-    own_values(Task, lares:stateTransition, TransitionIds),
-    own_values(Task, lares:orderingConstraints, OrderIds),
+    findall(Property-Value, (own_restriction(Task, Property, _, Value), atom(Value)), Stated),
+    stated(Stated, lares:subAction, Steps),
+    stated(Stated, lares:taskStartState, Starts),
+    stated(Stated, lares:taskEndState, Ends),
+    stated(Stated, lares:stateTransition, TransitionIds),
+    stated(Stated, lares:orderingConstraints, OrderIds),
     findall(Move, (member(Id, TransitionIds), move(Id, Move)), Moves),
     sort(Moves, Transitions),
     findall(Order, (member(Id, OrderIds), order(Id, Order)), Found),
@@ -123,6 +124,10 @@ structure(Task, structure{kind:Kind, steps:Steps, starts:Starts, ends:Ends,
     ->  Kind = partial_order
     ;   Kind = state_machine
     ).
+
+stated(Stated, Property, Values) :-
+    findall(Value, member(Property-Value, Stated), Found),
+    sort(Found, Values).
 
 move(Id, move(From, Cause, To, Id)) :-
     part(Id, lares:fromState, From),

@@ -65,9 +65,12 @@ pick(Sorted, _, Situation, Answers, Choice) :-
     Sorted = [Least-_|_],
     findall(Template-Action, member(Least-(Template-Action), Sorted), Nearest0),
     sort(Nearest0, Nearest),
-    (   memberchk(Step-Wanted, Answers),
-        member(Distance-(Wanted-Action), Sorted)
-    ->  Choice = chosen(Wanted, Action, Distance)
+    (   memberchk(Step-Wanted, Answers)
+    ->  (   member(Distance-(Wanted-Action), Sorted)
+        ->  Choice = chosen(Wanted, Action, Distance)
+        ;   Choice = none(["the skill template ", name(Wanted), ", asked for, does not apply to ",
+                           name(Step)])
+        )
     ;   findall(Template, member(Template-_, Nearest), Templates0),
         sort(Templates0, Templates),
         (   Templates = [Template]

@@ -107,6 +107,11 @@ void CheckParameter(const Plan& plan, const Ways& ways, const State& state,
   if (!IsCIdentifier(parameter.name) || parameter.name == "name" || parameter.name == "ID") {
     found.push_back(what + " has a name that behaviour trees cannot use");
   }
+  static const std::set<std::string> kTypes = {"pose",   "pose_list", "class",  "designator",
+                                               "string", "number",    "boolean"};
+  if (kTypes.count(parameter.type) == 0) {
+    found.push_back(what + " has the unknown type " + Quoted(parameter.type));
+  }
   if (parameter.value.empty()) found.push_back(what + " is not bound");
   const std::string key = KeyOf(parameter.value);
   if (parameter.source != Parameter::Source::kStep) {
@@ -127,6 +132,12 @@ void CheckSkills(const Plan& plan, const Ways& ways, Violations& found) {
     if (!IsCIdentifier(state.skill)) {
       found.push_back(Quoted(state.id) +
                       " has no skill that can be called: " + Quoted(state.skill));
+    }
+    for (const auto& [output, key] : state.outputs) {
+      if (!IsCIdentifier(output) || !IsCIdentifier(key)) {
+        found.push_back("output " + Quoted(output) + " of " + Quoted(state.id) + " or its key " +
+                        Quoted(key) + " is no identifier");
+      }
     }
     std::set<std::string> names;
     for (const Parameter& parameter : state.inputs) {

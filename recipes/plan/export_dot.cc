@@ -24,7 +24,7 @@ std::string Quoted(const std::string& text) { return '"' + Escaped(text) + '"'; 
 void WriteState(std::ostream& out, const State& state) {
   out << "  " << Quoted(state.id) << " [";
   if (state.kind == State::Kind::kEnd) {
-    out << "shape=doublecircle, width=0.9, fixedsize=true, color="
+    out << "shape=doublecircle, fontsize=10, margin=0, color="
         << (state.success ? "darkgreen" : "firebrick") << ", label=" << Quoted(state.label);
   } else {
     // Two parts, escaped apart: the line break between them is Graphviz's.

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <sstream>
 
+#include "base/text.h"
 #include "recipes/plan/export.h"
 #include "recipes/plan/shape.h"
 
@@ -34,11 +35,20 @@ void WriteNotes(std::ostream& out, const std::vector<std::string>& notes, const 
   for (const std::string& note : notes) out << "  - " << note << "\n";
 }
 
+// As its document spells it: what a person would search a robot's or recipe's file for.
+std::string Name(const Resource& resource) { return std::string(LocalName(resource.as_written)); }
+
+// The name, and the label where it says more.
+std::string FullName(const Resource& resource) {
+  const std::string name = Name(resource);
+  return resource.label == name ? name : name + " (" + resource.label + ")";
+}
+
 std::string Joined(const std::vector<Resource>& resources, const char* separator) {
   std::string text;
   for (const Resource& resource : resources) {
     if (!text.empty()) text += separator;
-    text += resource.label;
+    text += Name(resource);
   }
   return text;
 }
@@ -56,7 +66,7 @@ const char* Mark(Availability availability) {
 
 void WriteFinding(std::ostream& out, const Finding& finding, int depth) {
   out << "  " << std::string(static_cast<std::size_t>(2 * depth), ' ') << Mark(finding.availability)
-      << " " << finding.what.label << ": " << finding.explanation << "\n";
+      << " " << Name(finding.what) << ": " << finding.explanation << "\n";
   if (finding.availability == Availability::kAvailable) return;
   for (const Finding& dependency : finding.dependencies) WriteFinding(out, dependency, depth + 1);
 }
@@ -65,7 +75,7 @@ void WriteFinding(std::ostream& out, const Finding& finding, int depth) {
 
 std::string ToText(const Plan& plan) {
   std::ostringstream out;
-  out << "Plan: " << plan.task.label << ", for " << plan.robot.label;
+  out << "Plan: " << FullName(plan.task) << ", for " << plan.robot.label;
   if (!plan.environment.empty()) {
     out << ", in " << plan.environment << " (version " << plan.environment_version << ")";
   }
@@ -94,11 +104,11 @@ std::string ToText(const Plan& plan) {
 
 std::string ToText(const MatchReport& report) {
   std::ostringstream out;
-  out << report.robot.label << (report.feasible ? " can do " : " cannot do ") << report.task.label
-      << ".\n";
+  out << report.robot.label << (report.feasible ? " can do " : " cannot do ")
+      << FullName(report.task) << ".\n";
   if (!report.needs.empty()) out << "The steps need:\n";
   for (const Need& need : report.needs) {
-    out << "  " << need.step.label << " needs " << need.capability.label;
+    out << "  " << Name(need.step) << " needs " << Name(need.capability);
     if (need.inherited_through.size() > 1) {
       out << "  (through " << Joined(need.inherited_through, " < ") << ")";
     }
@@ -107,7 +117,7 @@ std::string ToText(const MatchReport& report) {
   if (!report.capabilities.empty()) out << "The robot has:\n";
   for (const Finding& finding : report.capabilities) WriteFinding(out, finding, 0);
   if (!report.smallest_repair.empty()) {
-    out << "It would be enough to add: " << Joined(report.smallest_repair, ", ") << ".\n";
+    out << "The smallest repair is to add: " << Joined(report.smallest_repair, ", ") << ".\n";
   }
   WriteNotes(out, report.warnings, "Warnings:");
   return out.str();

@@ -116,11 +116,6 @@ std::vector<Task> FindTasks(prolog::EnginePool& engines, const rdf::View& view,
 std::vector<Resource> FindRobots(prolog::EnginePool& engines, const rdf::View& view,
                                  const std::string& robot_graph);
 
-// What makes the robots of `robot_graph` unusable: joints that form a circle, poses that are no rigid
-// motion. One sentence each, naming the things. An inferred part-of cycle is none.
-std::vector<std::string> CheckRobot(prolog::EnginePool& engines, const rdf::View& view,
-                                    const std::string& robot_graph);
-
 // Every state reachable from the start, an end reachable from every state, every outcome led on,
 // every parameter bound, ids unique. One sentence for each violation.
 std::vector<std::string> CheckPlan(const Plan& plan);

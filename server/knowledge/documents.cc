@@ -135,12 +135,16 @@ void UnderstandRecipe(prolog::EnginePool& engines, Incoming& incoming) {
 }
 
 void UnderstandRobot(prolog::EnginePool& engines, Incoming& incoming) {
-  incoming.answer.robots = recipes::FindRobots(engines, incoming.view, incoming.graph.name);
+  try {
+    incoming.answer.robots = recipes::FindRobots(engines, incoming.view, incoming.graph.name);
+  } catch (const Error& error) {
+    if (error.code() != Code::kInvalid || error.place()) throw;
+    Refuse(incoming, {error.what()});
+  }
   if (incoming.answer.robots.empty()) {
     throw Error(Code::kInvalid, "describes no robot: no individual is a Robot or has capabilities",
                 {incoming.source, 0, 0});
   }
-  Refuse(incoming, recipes::CheckRobot(engines, incoming.view, incoming.graph.name));
   for (const Resource& robot : incoming.answer.robots) {
     AddNames(robot, incoming.names);
     incoming.names.push_back({incoming.request.id, "id", robot.iri});
@@ -148,7 +152,7 @@ void UnderstandRobot(prolog::EnginePool& engines, Incoming& incoming) {
   }
 }
 
-void UnderstandObjectModel(Incoming& incoming) {
+void UnderstandObjectModel(const store::Store& store, Incoming& incoming) {
   const rdf::TermId provides =
       incoming.view.dictionary().InternIri(std::string(rdf::kLares) + "providesModelFor");
   for (const rdf::Triple& triple : incoming.graph.triples) {
@@ -164,11 +168,15 @@ void UnderstandObjectModel(Incoming& incoming) {
                 {incoming.source, 0, 0});
   }
   json files = json::array();
-  for (const store::LayerInfo& file : incoming.request.files) {
-    files.push_back({{"name", file.file_name},
+  for (const AttachedFile& file : incoming.request.files) {
+    files.push_back({{"file_name", file.file_name},
                      {"media_type", file.media_type},
                      {"sha256", file.blob.sha256},
                      {"size", file.blob.size}});
+  }
+  if (files.empty()) {
+    const auto before = store.FindDocument(DocumentKind::kObjectModel, incoming.request.id);
+    if (before) files = json::parse(before->details_json).value("files", json::array());
   }
   incoming.details["files"] = files;
 }
@@ -264,7 +272,7 @@ PutAnswer Knowledge::Put(const PutRequest& original) {
       UnderstandRobot(state_->engines, incoming);
       break;
     default:
-      UnderstandObjectModel(incoming);
+      UnderstandObjectModel(state_->store, incoming);
       break;
   }
   incoming.details["statements"] = incoming.answer.statements;

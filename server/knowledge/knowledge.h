@@ -20,6 +20,13 @@
 
 namespace lares::server {
 
+// A file that belongs to a document: its blob is committed already.
+struct AttachedFile {
+  std::string file_name;
+  std::string media_type;
+  store::Blob blob;
+};
+
 struct PutRequest {
   store::DocumentKind kind = store::DocumentKind::kOntology;
   std::string id;          // empty: the file name's stem
@@ -27,9 +34,11 @@ struct PutRequest {
   std::string file_name;
   std::string bytes;
   bool recover = false;
-  std::string prior_format;             // priors: "omics" or "tsv"
-  std::vector<store::LayerInfo> files;  // object models: their files, blobs already committed
+  std::string prior_format;  // priors: "omics" or "tsv"
   std::string if_match;
+  // Object models: kept as details_json's "files": [{file_name, media_type, sha256, size}]. Empty
+  // keeps those of the version before.
+  std::vector<AttachedFile> files;
 };
 
 struct PutAnswer {

@@ -17,15 +17,17 @@ constexpr char kOwnTable[] = "lares";
 
 std::shared_ptr<const PlaceTables> Split(const places::PriorTable& table, const rdf::View& view) {
   const rdf::TermId sub_class = view.dictionary().InternIri(std::string(rdf::kRdfs) + "subClassOf");
-  const rdf::TermId furniture = view.dictionary().InternIri(std::string(rdf::kLares) + "Furniture");
+  const rdf::TermId somewhere = view.dictionary().InternIri(std::string(rdf::kLares) + "Place");
   auto tables = std::make_shared<PlaceTables>();
   tables->title = table.title;
   tables->rooms.name = tables->furniture.name = table.name;
   for (const places::PriorRow& row : table.rows) {
+    // Rooms are places; what else a table names (furniture, boxes) stands in one. A class that no
+    // ontology knows is taken for a room, as the tables of rooms in the field have it.
     const auto place = view.dictionary().FindIri(row.place);
-    const bool is_furniture =
-        place && (*place == furniture || view.Contains({*place, sub_class, furniture}));
-    (is_furniture ? tables->furniture : tables->rooms).rows.push_back(row);
+    const bool is_known = place && !view.Objects(*place, sub_class).empty();
+    const bool is_room = !is_known || view.Contains({*place, sub_class, somewhere});
+    (is_room ? tables->rooms : tables->furniture).rows.push_back(row);
   }
   return tables;
 }
@@ -128,7 +130,8 @@ std::vector<ObjectModelInfo> Knowledge::ObjectModels(const std::string& class_na
        state_->store.ListDocuments(store::DocumentKind::kObjectModel)) {
     ObjectModelInfo info;
     bool fits = wanted.empty();
-    for (const auto& model : nlohmann::json::parse(document.details_json).at("models")) {
+    const auto details = nlohmann::json::parse(document.details_json);
+    for (const auto& model : details.at("models")) {
       const std::string iri = model.at("class").at("iri");
       info.classes.push_back(
           {iri, model.at("class").at("label"), model.at("class").at("as_written")});

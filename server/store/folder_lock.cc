@@ -14,6 +14,8 @@
 namespace lares::store {
 namespace {
 
+constexpr std::size_t kIdWidth = 20;
+
 std::string HolderOf(int fd) {
   char text[32] = {};
   const ssize_t count = ::pread(fd, text, sizeof text - 1, 0);
@@ -42,8 +44,10 @@ FolderLock::FolderLock(const std::filesystem::path& file)
     throw Error(Code::kIo, "cannot lock '" + file.string() + "': " + std::strerror(error));
   }
   // The id only serves the hint of others: a full disk does not prevent opening for reading.
-  const std::string id = std::to_string(::getpid()) + "\n";
-  if (::ftruncate(fd_, 0) != 0 || ::pwrite(fd_, id.data(), id.size(), 0) < 0) errno = 0;
+  std::string id = std::to_string(::getpid());
+  id.resize(kIdWidth, ' ');  // over a longer one
+  id += '\n';
+  if (::pwrite(fd_, id.data(), id.size(), 0) < 0) errno = 0;
 }
 
 FolderLock::~FolderLock() { ::close(fd_); }

@@ -108,8 +108,11 @@ void CheckVersion(Database& database, const std::filesystem::path& file) {
 }
 
 void UseLog(Database& database, const std::filesystem::path& file) {
-  Query mode = database.Ask("PRAGMA journal_mode = WAL");
-  if (mode.Next() && mode.Text(0) == "wal") return;
+  Query query = database.Ask("PRAGMA journal_mode = WAL");
+  std::string mode;
+  // To the last row: the change is written after the row that announces it.
+  while (query.Next()) mode = query.Text(0);
+  if (mode == "wal") return;
   throw Error(Code::kIo, "'" + file.string() + "' cannot use a write-ahead log here")
       .WithHint("put the store on a local file system");
 }

@@ -8,7 +8,7 @@ for document in README.md docs/*.md; do
   while IFS= read -r line; do
     case "$line" in "" | "#"* | "./"* | "git clone"* | "cd "*) continue ;; esac
     code=0
-    case "$line" in *"# exit code "*) code="${line##*# exit code }"; code="${code%% *}" ;; esac
+    case "$line" in *"# exit code "*) code="${line##*# exit code }"; code="${code%%[!0-9]*}" ;; esac
     expect "$code" bash -c "set -o pipefail; ${line%%  #*}"
   done < <(awk '/^```sh$/ {on = 1; next} /^```/ {on = 0} on' "$document")
 done

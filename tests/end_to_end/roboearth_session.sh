@@ -27,12 +27,12 @@ golden() {
   has "VisualSlamMappingComponent"
   expect 7 lares plan RobotEnvironmentExploration --robot PR2 --json
   checks=$((checks + 1))
-  repair="$(grep -A12 '"smallest_repair"' <<<"$output")"
+  repair="$(sed -n '/"smallest_repair"/,/]/p' <<<"$output")"
   grep -q "VisualSlamMappingComponent" <<<"$repair" && ! grep -qi camera <<<"$repair" ||
     { failures=$((failures + 1)); echo "FAILED: the repair for PR2 is: $repair"; }
   for robot in amigo PR2; do expect 0 lares plan ServeADrink --robot "$robot"; done
   expect 7 lares plan ServeADrink --robot pioneer
-  has "ArmComponent" "ArmMotionController" "ManipulationEntity" "amigo" "PR2" "smallest repair"
+  has "ArmComponent" "ArmMotionController" "ManipulationEntity" "amigo" "PR2" "smallest repair is to add"
   for form in json bt-xml dot text; do
     expect 0 lares plan FindBottle --robot pioneer --environment hospital-room --as "$form"
   done

@@ -34,7 +34,7 @@ start_server() {
 stop_server() { kill -TERM "$server" 2>/dev/null; wait "$server" 2>/dev/null; }
 
 finish() {
-  [ -n "$server" ] && kill -KILL "$server" 2>/dev/null
+  [ -n "$server" ] && { kill -KILL "$server"; wait "$server"; } 2>/dev/null
   rm -rf "$work"
   echo "$((checks - failures)) of $checks checks hold"
   [ "$failures" = 0 ]

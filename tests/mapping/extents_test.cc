@@ -34,8 +34,16 @@ TEST(ExtentsTest, SimilarLayersAreFine) {
               IsEmpty());
 }
 
-TEST(ExtentsTest, SmallTrajectoriesInSmallRoomsAreFine) {
-  EXPECT_THAT(WarnOnExtents({{"octomap", Box(0, 0, 3.2, 3)}, {"trajectory", Box(1, 1, 0.5, 0.5)}}),
+TEST(ExtentsTest, ShortTrajectoriesAreFineButNotLongOnes) {
+  EXPECT_THAT(WarnOnExtents({{"octomap", Box(0, 0, 39, 15)}, {"trajectory", Box(1, 1, 1, 1)}}),
+              IsEmpty());
+  EXPECT_THAT(WarnOnExtents({{"octomap", Box(0, 0, 6, 4)}, {"trajectory", Box(0, 0, 39, 4)}}),
+              ElementsAre("the trajectory layer is 39 m long but the octomap layer only 6 m: are "
+                          "they of one environment?"));
+}
+
+TEST(ExtentsTest, FewObjectsInALargerRoomAreFine) {
+  EXPECT_THAT(WarnOnExtents({{"octomap", Box(0, 0, 8, 6)}, {"semantic", Box(1, 1, 0.1, 0.1)}}),
               IsEmpty());
 }
 

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "base/error.h"
+#include "reasoner/prolog/thread_engine.h"
 #include "tests/reasoner/prolog_fixture.h"
 
 namespace lares::prolog::testing {
@@ -115,6 +116,43 @@ TEST_F(EnginePoolTest, GoalsOfDifferentThreadsNeverMixTheirViews) {
   }
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(wrong, 0);
+}
+
+TEST_F(EnginePoolTest, AThreadKeepsItsEngineUntilItEnds) {
+  const int before = LiveThreadEngines();
+  std::thread thread([&] {
+    EXPECT_EQ(Once("yes", {A("x")}), A("yes"));
+    EXPECT_EQ(Once("yes", {A("x")}), A("yes"));
+    EXPECT_EQ(LiveThreadEngines(), before + 1);
+  });
+  thread.join();
+  EXPECT_EQ(LiveThreadEngines(), before);
+}
+
+TEST_F(EnginePoolTest, ThreadsThatHaveTheirGoalBehindThemHoldFewEngines) {
+  std::atomic<int> done{0};
+  std::atomic<bool> end{false};
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 50; ++i) {
+    threads.emplace_back([&] {
+      Once("yes", {A("x")});
+      ++done;
+      while (!end) std::this_thread::sleep_for(1ms);
+    });
+  }
+  while (done < 50) std::this_thread::sleep_for(1ms);
+  EXPECT_LE(LiveThreadEngines(), 32 + 2);
+  end = true;
+  for (std::thread& thread : threads) thread.join();
+}
+
+// An engine that moved between threads aborted the process once a deep term was written.
+TEST_F(EnginePoolTest, GoalsOfOnePoolMayRunOnManyThreads) {
+  for (int i = 0; i < 10; ++i) {
+    std::thread([&] {
+      EXPECT_THAT(ErrorOf("throw_term", {C("odd", {A("thing")})}).what(), HasSubstr("odd(thing)"));
+    }).join();
+  }
 }
 
 TEST_F(EnginePoolTest, PoolsMayComeAndGo) {

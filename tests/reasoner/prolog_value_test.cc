@@ -94,7 +94,11 @@ TEST_F(PrologValue, NestingHasALimitInBothDirections) {
   EXPECT_EQ(ErrorOf("deep", {I(100'000)}).code(), Code::kTooLarge);
   EXPECT_TRUE(Once("deep", {I(1000)}));
   Value nested = A("end");
-  for (int i = 0; i < 5000; ++i) nested = C("f", {std::move(nested)});
+  for (int i = 0; i < 5000; ++i) {
+    List arguments;
+    arguments.push_back(std::move(nested));
+    nested = C("f", std::move(arguments));
+  }
   EXPECT_EQ(ErrorOf("echo", {nested}).code(), Code::kTooLarge);
 }
 

@@ -17,8 +17,9 @@ namespace lares::store::testing {
 
 class TemporaryFolder {
  public:
-  TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "lares-store-XXXXXX").string();
+  explicit TemporaryFolder(
+      const std::filesystem::path& in = std::filesystem::temp_directory_path()) {
+    std::string pattern = (in / "lares-store-XXXXXX").string();
     if (::mkdtemp(pattern.data()) == nullptr) std::abort();
     path_ = pattern;
   }
@@ -33,6 +34,14 @@ class TemporaryFolder {
  private:
   std::filesystem::path path_;
 };
+
+// In memory where the system has such a place: for what needs no real disk.
+inline std::filesystem::path FastFolder() {
+  const std::filesystem::path memory = "/dev/shm";
+  std::error_code ignored;
+  return std::filesystem::is_directory(memory, ignored) ? memory
+                                                        : std::filesystem::temp_directory_path();
+}
 
 class StoreTest : public ::testing::Test {
  protected:

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/search_path.h"
 #include "base/text.h"
 #include "reasoner/places/prior.h"
 #include "tests/lares_data.h"
@@ -20,10 +21,7 @@ using ::testing::SizeIs;
 constexpr char kLares[] = "https://w3id.org/lares#";
 
 rdf::AliasTable Aliases() {
-  const std::string lares = kLares;
-  return rdf::AliasTable({{"http://knowrob.org/kb/knowrob.owl#", lares, "KnowRob"},
-                          {lares + "OfficeRoom", lares + "Office", "plain name"},
-                          {lares + "RestaurantSpace", lares + "Restaurant", "plain name"}});
+  return rdf::AliasTable::FromTsv(ReadFile(FindShared("ontology/aliases.tsv")), "aliases.tsv");
 }
 
 PriorTable Read(PriorFormat format, const std::string& bytes) {
@@ -92,6 +90,19 @@ TEST(TsvPriorTest, TablesThatCountNothingAreRefused) {
   EXPECT_THAT(RefusedTsv("C\xFFp\tKitchen\t1\n"), HasSubstr("not UTF-8"));
 }
 
+TEST(TsvPriorTest, OwnTableRanksRoomsAndFurnitureApart) {
+  const PriorTable table =
+      Read(PriorFormat::kTsv, ReadFile(FindShared("ontology/priors/lares.tsv")));
+  EXPECT_FALSE(table.title.empty());
+  const auto is_room = [](std::string_view place) {
+    return place == std::string(kLares) + "Kitchen" || place == std::string(kLares) + "Bathroom";
+  };
+  const auto ranked = RankPlaces(OnlyPlaces(table, is_room), std::string(kLares) + "Cup");
+  ASSERT_THAT(ranked, SizeIs(2));
+  EXPECT_EQ(ranked[0].place, std::string(kLares) + "Kitchen");
+  for (const PriorRow& row : table.rows) EXPECT_FALSE(row.source.empty()) << row.object;
+}
+
 std::string Omics(const std::string& individuals) {
   return "<rdf:RDF xmlns:rdf='http://www.w3.org/1999/02/22-rdf-syntax-ns#' "
          "xmlns:k='http://knowrob.org/kb/knowrob.owl#'>\n" +
@@ -120,7 +131,7 @@ TEST(OmicsPriorTest, EachIndividualCountsOne) {
 
 TEST(OmicsPriorTest, IncompleteIndividualsAreNamedWithTheirLine) {
   const auto refused = [](const std::string& individual) {
-    return Refused(PriorFormat::kOmics, Omics(Individual("O-1", "Cup", "Kitchen") + individual));
+    return Refused(PriorFormat::kOmics, Omics(Individual("O-20", "Cup", "Kitchen") + individual));
   };
   EXPECT_THAT(refused(Individual("O-2", "", "Kitchen")),
               HasSubstr("table:6: <http://knowrob.org/kb/knowrob.owl#O-2> has no subject"));

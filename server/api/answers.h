@@ -1,0 +1,37 @@
+// What handlers have in common: JSON answers, query parameters, pages, files.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "server/api/json.h"
+#include "server/http/message.h"
+#include "server/store/store.h"
+
+namespace lares::api {
+
+http::Response JsonAnswer(const Json& json, int status = 200);
+
+// "true"/"1"/"" are true, "false"/"0" false. Throws kInvalid for anything else.
+bool QueryFlag(const http::Request& request, const std::string& name);
+// Throws kInvalid for what is no whole number within the bounds.
+int QueryNumber(const http::Request& request, const std::string& name, int otherwise, int least,
+                int most);
+
+// {"items": […], "count": all, "next": key of the next page} of `count` things that are in order:
+// `key(i)` names them, `item(i)` shows them. ?limit= (100, at most 1000) and ?after= (a key) choose
+// the page.
+Json Page(const http::Request& request, std::size_t count,
+          const std::function<std::string(std::size_t)>& key,
+          const std::function<Json(std::size_t)>& item);
+
+// A stored blob with ETag, ranges and the name to save it under.
+http::Response BlobAnswer(const store::Store& store, const store::Blob& blob,
+                          const std::string& media_type, const std::string& file_name,
+                          const std::string& etag);
+
+// `attachment; filename="…"; filename*=UTF-8''…`
+std::string ContentDisposition(const std::string& file_name);
+
+}  // namespace lares::api

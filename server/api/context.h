@@ -1,0 +1,38 @@
+// What the handlers work with.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <string>
+
+#include "server/http/metrics.h"
+#include "server/http/router.h"
+#include "server/knowledge/knowledge.h"
+#include "server/store/store.h"
+
+namespace lares::api {
+
+// Outlives the router whose handlers use it.
+struct Context {
+  store::Store& store;
+  server::Knowledge& knowledge;
+  std::shared_ptr<http::Metrics> metrics = std::make_shared<http::Metrics>();
+  std::string openapi;  // the document, made once all routes are known
+  std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
+};
+
+// One for each resource; together they are the whole interface.
+void AddOntologyRoutes(http::Router& router, Context& context);
+void AddPriorRoutes(http::Router& router, Context& context);
+void AddRecipeRoutes(http::Router& router, Context& context);
+void AddRobotRoutes(http::Router& router, Context& context);
+void AddSkillTemplateRoutes(http::Router& router, Context& context);
+void AddObjectModelRoutes(http::Router& router, Context& context);
+void AddEnvironmentRoutes(http::Router& router, Context& context);
+void AddEnvironmentUploadRoute(http::Router& router, Context& context);
+void AddEnvironmentDownloadRoutes(http::Router& router, Context& context);
+void AddPlanRoutes(http::Router& router, Context& context);
+void AddLikelyPlaceRoutes(http::Router& router, Context& context);
+void AddOperationRoutes(http::Router& router, Context& context);
+
+}  // namespace lares::api

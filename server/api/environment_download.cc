@@ -1,0 +1,171 @@
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "server/api/answers.h"
+#include "server/api/environments.h"
+#include "server/api/layer_files.h"
+#include "server/api/tar.h"
+#include "server/http/media_type.h"
+#include "server/http/problem.h"
+
+namespace lares::api {
+namespace {
+
+std::string BlobEtag(const store::Blob& blob, const std::string& suffix = "") {
+  return "\"" + blob.sha256.substr(0, 32) + suffix + "\"";
+}
+
+const store::LayerInfo& FindLayer(const store::EnvironmentVersion& version,
+                                  const std::string& name) {
+  std::vector<std::string> names;
+  for (const store::LayerInfo& layer : version.layers) {
+    if (layer.name == name) return layer;
+    names.push_back(layer.name);
+  }
+  throw Error(Code::kNotFound, "version " + std::to_string(version.number) + " of '" +
+                                   version.environment + "' has no layer '" + name + "'; it has " +
+                                   Join(names, ", "))
+      .WithCandidates(SimilarNames(name, names));
+}
+
+http::Response Rendered(const store::EnvironmentVersion& version, const store::LayerInfo& layer,
+                        rdf::Format format, Context& context) {
+  const std::string extension = format == rdf::Format::kTurtle ? "ttl" : "owl";
+  http::Response response;
+  response.headers.Set("Content-Type", std::string(rdf::MediaType(format)));
+  response.headers.Set("ETag", BlobEtag(layer.blob, "-" + extension));
+  response.headers.Set("Content-Disposition", ContentDisposition("semantic." + extension));
+  response.body = context.knowledge.RenderSemantic(version.environment, version.number, format);
+  return response;
+}
+
+// The bytes as received, unless Accept asks for another way to write the same graph.
+http::Response SemanticLayer(const http::Request& request, const store::EnvironmentVersion& version,
+                             const store::LayerInfo& layer, Context& context) {
+  const std::string turtle(rdf::MediaType(rdf::Format::kTurtle));
+  const std::string rdf_xml(rdf::MediaType(rdf::Format::kRdfXml));
+  const auto chosen =
+      http::ChooseMediaType(request.headers.GetList("Accept"), {layer.media_type, turtle, rdf_xml});
+  if (!chosen) {
+    throw http::ProblemError(
+        "not-acceptable",
+        "the semantic layer is given as " + layer.media_type + ", " + turtle + " or " + rdf_xml);
+  }
+  http::Response response;
+  if (*chosen == layer.media_type) {
+    response = BlobAnswer(context.store, layer.blob, layer.media_type, layer.file_name,
+                          BlobEtag(layer.blob));
+  } else {
+    const bool as_turtle = *chosen == turtle;
+    response =
+        Rendered(version, layer, as_turtle ? rdf::Format::kTurtle : rdf::Format::kRdfXml, context);
+  }
+  response.headers.Set("Vary", "Accept");
+  return response;
+}
+
+http::Response GetLayer(const http::Request& request, Context& context) {
+  const store::EnvironmentVersion version =
+      FindVersion(context.store, request.Param("id"), request.Param("number"));
+  const store::LayerInfo& layer = FindLayer(version, request.Param("name"));
+  if (layer.name == "semantic") return SemanticLayer(request, version, layer, context);
+  return BlobAnswer(context.store, layer.blob, layer.media_type, layer.file_name,
+                    BlobEtag(layer.blob));
+}
+
+struct TarFile {
+  std::string name;
+  std::uint64_t size = 0;
+  std::filesystem::path path;  // empty: `text`
+  std::string text;
+};
+
+std::string Manifest(const store::EnvironmentVersion& version, const Context& context) {
+  Json manifest = ToJson(version);
+  if (const auto environment = context.store.FindEnvironment(version.environment)) {
+    manifest["type"] = environment->type_iri;
+    manifest["label"] = environment->label;
+  }
+  for (std::size_t i = 0; i < version.layers.size(); ++i) {
+    const store::LayerInfo& layer = version.layers[i];
+    manifest["layers"][i]["file"] = LayerFileName(layer.name, layer.file_name, layer.media_type);
+  }
+  return manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::vector<TarFile> TarFiles(const store::EnvironmentVersion& version, const Context& context) {
+  std::vector<TarFile> files;
+  std::string manifest = Manifest(version, context);
+  files.push_back({kManifestFile, manifest.size(), {}, std::move(manifest)});
+  for (const store::LayerInfo& layer : version.layers) {
+    files.push_back({LayerFileName(layer.name, layer.file_name, layer.media_type), layer.blob.size,
+                     context.store.BlobPath(layer.blob.sha256), ""});
+  }
+  return files;
+}
+
+void SendFile(const TarFile& entry, const http::Sink& sink) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(entry.path.c_str(), "rb"),
+                                                             &std::fclose);
+  std::array<char, 64 * 1024> piece;
+  for (std::uint64_t left = entry.size; left > 0;) {
+    const std::size_t wanted = std::min<std::uint64_t>(piece.size(), left);
+    const std::size_t got = file ? std::fread(piece.data(), 1, wanted, file.get()) : 0;
+    if (got == 0) throw Error(Code::kIo, "cannot read '" + entry.path.string() + "'");
+    sink({piece.data(), got});
+    left -= got;
+  }
+}
+
+http::Response GetTar(const http::Request& request, Context& context) {
+  const store::EnvironmentVersion version =
+      FindVersion(context.store, request.Param("id"), request.Param("number"));
+  std::vector<TarFile> files = TarFiles(version, context);
+  http::StreamBody body;
+  body.length = TarEnd().size();
+  for (const TarFile& file : files) body.length += TarEntrySize(file.size);
+  body.produce = [files = std::move(files), created = version.created](const http::Sink& sink) {
+    for (const TarFile& file : files) {
+      sink(TarHeader(file.name, file.size, created));
+      if (file.path.empty()) {
+        sink(file.text);
+      } else {
+        SendFile(file, sink);
+      }
+      sink(TarPadding(file.size));
+    }
+    sink(TarEnd());
+  };
+  http::Response response;
+  response.headers.Set("Content-Type", "application/x-tar");
+  response.headers.Set(
+      "ETag", "\"" + version.environment + "-" + std::to_string(version.number) + "-tar\"");
+  response.headers.Set(
+      "Content-Disposition",
+      ContentDisposition(version.environment + "-" + std::to_string(version.number) + ".tar"));
+  response.body = std::move(body);
+  return response;
+}
+
+}  // namespace
+
+void AddEnvironmentDownloadRoutes(http::Router& router, Context& context) {
+  router.Add({"GET",
+              "/v1/environments/{id}/versions/{number}/layers/{name}",
+              "getEnvironmentLayer",
+              [&context](const http::Request& request) { return GetLayer(request, context); },
+              {},
+              0});
+  router.Add({"GET",
+              "/v1/environments/{id}/versions/{number}.tar",
+              "getEnvironmentTar",
+              [&context](const http::Request& request) { return GetTar(request, context); },
+              {},
+              0});
+}
+
+}  // namespace lares::api

@@ -1,0 +1,158 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "mapping/environment/layer_format.h"
+#include "server/api/answers.h"
+#include "server/api/context.h"
+#include "server/http/etag.h"
+#include "server/http/multipart.h"
+#include "server/http/url.h"
+
+namespace lares::api {
+namespace {
+
+constexpr std::uint64_t kMaxUploadBytes = std::uint64_t{64} << 30;
+constexpr std::size_t kMaxFieldBytes = 64 * 1024;
+
+// Takes a form apart while it arrives: fields into the version, layers into blobs, each checked
+// to be what it says before it is kept.
+class VersionForm {
+ public:
+  VersionForm(store::Store& store, store::NewVersion& version) : store_(store), version_(version) {}
+
+  http::MultipartHandler handler() {
+    return {[this](const http::PartHeader& part) { Begin(part); },
+            [this](std::string_view piece) { Data(piece); }, [this] { End(); }};
+  }
+  const std::map<std::string, environment::LayerFacts>& facts() const { return facts_; }
+
+ private:
+  void Begin(const http::PartHeader& part) {
+    field_ = FieldOf(part.name);
+    if (field_ != nullptr) {
+      field_->clear();
+      return;
+    }
+    if (!environment::IsLayerName(part.name)) Unknown(part.name);
+    for (const store::LayerInfo& other : version_.layers) {
+      if (other.name == part.name) {
+        throw Error(Code::kInvalid, "layer '" + part.name + "' is there twice");
+      }
+    }
+    layer_ = {part.name, part.file_name.empty() ? part.name : part.file_name, "", {}, {}};
+    writer_ = store_.NewBlob();
+  }
+
+  void Data(std::string_view piece) {
+    if (writer_ != nullptr) {
+      writer_->Append(piece);
+      return;
+    }
+    if (field_->size() + piece.size() > kMaxFieldBytes) {
+      throw Error(Code::kTooLarge, "a text field of the form is longer than 64 KiB");
+    }
+    field_->append(piece);
+  }
+
+  void End() {
+    if (field_ == &removed_) version_.removed_layers.push_back(std::exchange(removed_, ""));
+    if (writer_ == nullptr) return;
+    writer_->Flush();
+    environment::LayerFacts facts =
+        environment::CheckLayer(layer_.name, writer_->path(), layer_.file_name);
+    layer_.media_type = facts.media_type;
+    layer_.facts = facts.facts;
+    layer_.blob = writer_->Commit();
+    writer_.reset();
+    facts_[layer_.name] = std::move(facts);
+    version_.layers.push_back(std::move(layer_));
+  }
+
+  std::string* FieldOf(const std::string& name) {
+    if (name == "type") return &version_.type_iri;
+    if (name == "label") return &version_.label;
+    if (name == "author") return &version_.author;
+    if (name == "note") return &version_.note;
+    if (name == "remove") return &removed_;
+    return nullptr;
+  }
+
+  [[noreturn]] static void Unknown(const std::string& name) {
+    std::vector<std::string> known = environment::LayerNames();
+    const std::string layers = Join(known, ", ");
+    known.insert(known.end(), {"type", "label", "author", "note", "remove"});
+    throw Error(Code::kInvalid, "the form's part '" + name + "' is neither a layer (" + layers +
+                                    ") nor one of type, label, author, note, remove")
+        .WithCandidates(SimilarNames(name, known));
+  }
+
+  store::Store& store_;
+  store::NewVersion& version_;
+  std::map<std::string, environment::LayerFacts> facts_;
+  std::string* field_ = nullptr;
+  std::string removed_;
+  store::LayerInfo layer_;
+  std::unique_ptr<store::BlobWriter> writer_;
+};
+
+// The condition, refused before the body is read when it cannot hold any more. The store decides
+// again when it writes.
+std::string EarlyCondition(const http::Request& request, const store::Store& store,
+                           const std::string& id) {
+  const auto existing = store.FindEnvironment(id);
+  const std::optional<std::string> etag =
+      existing ? std::optional(store.GetVersion(id, 0).etag()) : std::nullopt;
+  const std::string condition = http::WriteCondition(request, etag);
+  const bool holds = condition.empty() || (condition == "none" && !etag) ||
+                     (condition == "*" && etag) || (etag && condition == *etag);
+  if (!holds) {
+    throw Error(Code::kPreconditionFailed,
+                etag ? "'" + id + "' is at another version: its ETag is now " + *etag
+                     : "there is no environment '" + id + "' yet");
+  }
+  return condition;
+}
+
+http::Response PutVersion(const http::Request& request, Context& context) {
+  store::NewVersion version;
+  version.environment = request.Param("id");
+  if (!IsIdentifier(version.environment)) {
+    throw Error(Code::kInvalid, "'" + version.environment +
+                                    "' is no id: 1 to 128 of A-Z a-z 0-9 "
+                                    ". _ -, the first not . or -");
+  }
+  version.if_match = EarlyCondition(request, context.store, version.environment);
+  VersionForm form(context.store, version);
+  http::ReadMultipart(request, form.handler());
+  if (!version.type_iri.empty()) {
+    version.type_iri = context.knowledge.ResolveClass(version.type_iri).iri;
+  }
+  server::Knowledge::VersionAnswer answer = context.knowledge.PutVersion(version);
+  for (std::string& warning : environment::WarnOnExtents(form.facts())) {
+    answer.warnings.push_back(std::move(warning));
+  }
+  Json json;
+  json["version"] = ToJson(answer.version);
+  AddRemarks(answer.remarks, answer.warnings, json);
+  json["objects"] = answer.objects.size();
+  http::Response response = JsonAnswer(json, 201);
+  response.headers.Set("ETag", answer.version.etag());
+  response.headers.Set("Location", "/v1/environments/" + http::PercentEncode(version.environment) +
+                                       "/versions/" + std::to_string(answer.version.number));
+  return response;
+}
+
+}  // namespace
+
+void AddEnvironmentUploadRoute(http::Router& router, Context& context) {
+  router.Add({"POST",
+              "/v1/environments/{id}/versions",
+              "putEnvironmentVersion",
+              [&context](const http::Request& request) { return PutVersion(request, context); },
+              {"multipart/form-data"},
+              kMaxUploadBytes});
+}
+
+}  // namespace lares::api

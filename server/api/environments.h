@@ -1,0 +1,15 @@
+// What the routes of environments share.
+#pragma once
+
+#include <string>
+
+#include "server/api/context.h"
+
+namespace lares::api {
+
+// `number` as it stands in a path: "3" or "latest". Throws kInvalid, kNotFound (with similar
+// names).
+store::EnvironmentVersion FindVersion(const store::Store& store, const std::string& environment,
+                                      const std::string& number);
+
+}  // namespace lares::api

@@ -1,0 +1,42 @@
+// What every command is given, and how they are registered.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "server/cli/remote.h"
+
+namespace CLI {
+class App;
+}
+
+namespace lares::cli {
+
+struct Options {
+  std::string server = "http://127.0.0.1:8080";
+  bool json = false;  // print what the server answered
+};
+
+// Each adds its subcommands to `app`; a command runs as CLI11's callback and throws on failure.
+// `options` outlives the app.
+void AddServe(CLI::App& app, const Options& options);
+void AddRecipe(CLI::App& app, const Options& options);
+void AddRobot(CLI::App& app, const Options& options);
+void AddOntology(CLI::App& app, const Options& options);
+void AddEnvironment(CLI::App& app, const Options& options);
+void AddEnvironmentPut(CLI::App& environment, const Options& options);
+void AddEnvironmentGet(CLI::App& environment, const Options& options);
+void AddObjectModel(CLI::App& app, const Options& options);
+void AddPlan(CLI::App& app, const Options& options);
+void AddPrior(CLI::App& app, const Options& options);
+void AddWhere(CLI::App& app, const Options& options);
+void AddStatus(CLI::App& app, const Options& options);
+
+// A subcommand with its examples below the help.
+CLI::App* AddCommand(CLI::App& parent, const std::string& name, const std::string& what,
+                     const std::string& examples);
+
+// Runs the command line; the process's exit code. Never throws.
+int Run(int argc, const char* const* argv);
+
+}  // namespace lares::cli

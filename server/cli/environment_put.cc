@@ -1,0 +1,123 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "server/cli/command.h"
+#include "server/cli/grid_files.h"
+#include "server/cli/print.h"
+#include "server/cli/progress.h"
+#include "server/cli/temporary_folder.h"
+#include "server/http/media_type.h"
+
+namespace lares::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PutOptions {
+  std::string id;
+  std::string type;
+  std::string label;
+  std::string author;
+  std::string note;
+  std::string if_match;
+  std::vector<std::string> layers;  // NAME=FILE
+  std::vector<std::string> removed;
+};
+
+// A grid's YAML is sent together with its image, as one archive in `temporary`.
+http::FormPart LayerPart(const std::string& layer, const fs::path& temporary) {
+  const std::size_t equals = layer.find('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == layer.size()) {
+    throw CLI::ValidationError("--layer", "write it as NAME=FILE, not '" + layer + "'");
+  }
+  const std::string name = layer.substr(0, equals);
+  fs::path file = layer.substr(equals + 1);
+  const std::string extension = ToLower(file.extension().string());
+  if (name == "grid" && (extension == ".yaml" || extension == ".yml")) {
+    const fs::path archive = temporary / (file.stem().string() + ".tar");
+    PackGrid(file, archive);
+    file = archive;
+  }
+  const std::string file_name = file.filename().string();
+  return {name, "", file, file_name, http::MediaTypeOfFile(file_name)};
+}
+
+std::vector<http::FormPart> FormOf(const PutOptions& put, const fs::path& temporary) {
+  std::vector<http::FormPart> parts;
+  const auto field = [&parts](const char* name, const std::string& value) {
+    if (!value.empty()) parts.push_back({name, value, {}, "", ""});
+  };
+  field("type", put.type);
+  field("label", put.label);
+  field("author", put.author);
+  field("note", put.note);
+  for (const std::string& removed : put.removed) field("remove", removed);
+  for (const std::string& layer : put.layers) parts.push_back(LayerPart(layer, temporary));
+  if (parts.empty()) throw CLI::ValidationError("--layer", "there is nothing to put");
+  return parts;
+}
+
+void Put(const PutOptions& put, const Options& options) {
+  const TemporaryFolder temporary(fs::temp_directory_path(), "lares-put-");
+  http::ClientRequest request;
+  request.method = "POST";
+  request.path = PathOf("/v1/environments", {put.id, "versions"});
+  request.body = http::EncodeForm(FormOf(put, temporary.path()));
+  if (put.if_match == "none") request.headers.Set("If-None-Match", "*");
+  if (!put.if_match.empty() && put.if_match != "none") {
+    request.headers.Set("If-Match", put.if_match);
+  }
+  Remote remote(options.server);
+  Json answer;
+  {
+    ProgressBar bar("sending");
+    http::Transfer transfer;
+    transfer.uploaded = [&bar](std::uint64_t done, std::uint64_t all) { bar.Show(done, all); };
+    answer = Json::parse(remote.Send(request, transfer).body);
+  }
+  if (options.json) return PrintJson(answer);
+  const Json& version = answer.at("version");
+  std::string text = "environment " + put.id + ", version " +
+                     std::to_string(version.value("number", 0)) + " (ETag " +
+                     TextOf(version, "etag") + ")\n";
+  for (const Json& layer : version.at("layers")) {
+    text += "  " + TextOf(layer, "name") + "  " +
+            FormatBytes(layer.value("size", std::uint64_t{0})) + "\n";
+  }
+  const auto objects = answer.value("objects", std::size_t{0});
+  if (objects > 0) text += "  " + Plural(objects, "object") + " on the map\n";
+  text += FormatRemarks(answer.at("repairs"), "  repaired:");
+  text += FormatRemarks(answer.at("warnings"), "  warnings:");
+  Print(text);
+}
+
+}  // namespace
+
+void AddEnvironmentPut(CLI::App& environment, const Options& options) {
+  auto* command = AddCommand(
+      environment, "put", "Add a version; the first one creates the environment",
+      "  lares environment put hospital-room --type HospitalRoom \\\n"
+      "      --layer semantic=room.owl --layer octomap=room.bt\n"
+      "  lares environment put lab --layer grid=map.yaml --note 'after moving the desk' \\\n"
+      "      --if-match '\"lab-3\"'");
+  auto put = std::make_shared<PutOptions>();
+  command->add_option("ID", put->id)->required();
+  command->add_option("--layer", put->layers,
+                      "NAME=FILE; may be repeated. semantic (RDF), octomap (.bt, .ot), grid "
+                      "(map_server's .yaml, or a .tar with its image), cloud (.ply), trajectory "
+                      "(TUM), features");
+  command->add_option("--remove-layer", put->removed, "a layer the new version shall not have");
+  command->add_option("--type", put->type, "class of the place: name, label or IRI");
+  command->add_option("--label", put->label, "what people call it");
+  command->add_option("--author", put->author, "who made this version");
+  command->add_option("--note", put->note, "what is new in it");
+  command->add_option("--if-match", put->if_match,
+                      "only if the newest version still has this ETag; 'none': only if the "
+                      "environment is new");
+  command->callback([=, &options] { Put(*put, options); });
+}
+
+}  // namespace lares::cli

@@ -1,0 +1,94 @@
+#include "server/cli/remote.h"
+
+#include <nlohmann/json.hpp>
+
+#include "server/http/url.h"
+
+namespace lares::cli {
+namespace {
+
+std::string Text(const Json& document, const char* name) {
+  const auto found = document.find(name);
+  return found != document.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+int Number(const Json& place, const char* name) {
+  const auto found = place.find(name);
+  return found != place.end() && found->is_number_integer() ? found->get<int>() : 0;
+}
+
+[[noreturn]] void ThrowProblem(const http::ClientResponse& response, const std::string& url) {
+  const Json document = Json::parse(response.body, nullptr, false);
+  if (!document.is_object() || !document.contains("code")) {
+    throw Error(Code::kIo, "what answers at " + url + " with status " +
+                               std::to_string(response.status) + " is no Lares server");
+  }
+  RemoteError error(Text(document, "code"), Text(document, "detail"), response.body);
+  if (const auto place = document.find("place"); place != document.end() && place->is_object()) {
+    error =
+        RemoteError(Text(document, "code"), Text(document, "detail"),
+                    Place{Text(*place, "source"), Number(*place, "line"), Number(*place, "column")},
+                    response.body);
+  }
+  error.WithHint(Text(document, "hint"));
+  std::vector<std::string> candidates;
+  if (const auto found = document.find("candidates");
+      found != document.end() && found->is_array()) {
+    for (const Json& candidate : *found) {
+      if (candidate.is_string()) candidates.push_back(candidate);
+    }
+  }
+  error.WithCandidates(std::move(candidates));
+  throw error;
+}
+
+}  // namespace
+
+RemoteError::RemoteError(std::string problem_code, const std::string& message, std::string document)
+    : Error(Code::kInvalid, message),
+      problem_code_(std::move(problem_code)),
+      document_(std::move(document)) {}
+
+RemoteError::RemoteError(std::string problem_code, const std::string& message, Place place,
+                         std::string document)
+    : Error(Code::kInvalid, message, std::move(place)),
+      problem_code_(std::move(problem_code)),
+      document_(std::move(document)) {}
+
+http::ClientResponse Remote::Send(const http::ClientRequest& request,
+                                  const http::Transfer& transfer) {
+  http::ClientResponse response = client_.Send(request, transfer);
+  if (response.status < 200 || response.status >= 300) ThrowProblem(response, url());
+  return response;
+}
+
+Json Remote::GetJson(const std::string& path,
+                     const std::multimap<std::string, std::string>& query) {
+  const http::ClientResponse response = Send({"GET", path, query, {}, {}});
+  Json json = Json::parse(response.body, nullptr, false);
+  if (json.is_discarded()) {
+    throw Error(Code::kIo, "what answers at " + url() + " sent no JSON: it is no Lares server");
+  }
+  return json;
+}
+
+Json Remote::GetList(const std::string& path, std::multimap<std::string, std::string> query) {
+  query.emplace("limit", "1000");
+  Json all{{"items", Json::array()}, {"count", 0}};
+  while (true) {
+    const Json page = GetJson(path, query);
+    for (const Json& item : page.at("items")) all["items"].push_back(item);
+    all["count"] = page.at("count");
+    if (!page.at("next").is_string()) return all;
+    query.erase("after");
+    query.emplace("after", page.at("next").get<std::string>());
+  }
+}
+
+std::string PathOf(const std::string& collection, const std::vector<std::string>& segments) {
+  std::string path = collection;
+  for (const std::string& segment : segments) path += "/" + http::PercentEncode(segment);
+  return path;
+}
+
+}  // namespace lares::cli

@@ -1,0 +1,50 @@
+// The server as the commands see it: requests, and problem documents as errors.
+#pragma once
+
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "base/error.h"
+#include "server/http/client.h"
+
+namespace lares::cli {
+
+using Json = nlohmann::ordered_json;
+
+// A problem document of the server.
+class RemoteError : public Error {
+ public:
+  RemoteError(std::string problem_code, const std::string& message, std::string document);
+  RemoteError(std::string problem_code, const std::string& message, Place place,
+              std::string document);
+  const std::string& problem_code() const { return problem_code_; }
+  const std::string& document() const { return document_; }  // as received
+
+ private:
+  std::string problem_code_;
+  std::string document_;
+};
+
+// Not thread-safe.
+class Remote {
+ public:
+  explicit Remote(const std::string& url) : client_(url) {}
+
+  // The answer of a 2xx; else throws RemoteError, or as http::Client::Send does.
+  http::ClientResponse Send(const http::ClientRequest& request,
+                            const http::Transfer& transfer = {});
+  Json GetJson(const std::string& path, const std::multimap<std::string, std::string>& query = {});
+  // Every page of a list as one: {"items": […], "count": n}.
+  Json GetList(const std::string& path, std::multimap<std::string, std::string> query = {});
+
+  const std::string& url() const { return client_.base_url(); }
+
+ private:
+  http::Client client_;
+};
+
+// "/v1/recipes" + "/" + the segments, percent-encoded.
+std::string PathOf(const std::string& collection, const std::vector<std::string>& segments);
+
+}  // namespace lares::cli

@@ -1,0 +1,105 @@
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+#include "base/error.h"
+#include "reasoner/prolog/engine_pool.h"
+#include "server/api/api.h"
+#include "server/cli/command.h"
+#include "server/cli/print.h"
+#include "server/http/log.h"
+#include "server/http/server.h"
+#include "server/knowledge/knowledge.h"
+#include "server/store/store.h"
+
+namespace lares::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::seconds kGrace{30};
+
+struct ServeOptions {
+  std::string host = "127.0.0.1";
+  int port = 8080;
+  std::string data;
+  std::string log_level = "info";
+};
+
+fs::path DefaultDataFolder() {
+  if (const char* data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data == '/') {
+    return fs::path(data) / "lares";
+  }
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
+    return fs::path(home) / ".local" / "share" / "lares";
+  }
+  throw Error(Code::kInvalid, "neither HOME nor XDG_DATA_HOME is set")
+      .WithHint("say where to keep the data with --data");
+}
+
+// SIGINT and SIGTERM are waited for instead of handled: blocked before any thread begins, so that
+// every thread inherits it.
+class StopSignals {
+ public:
+  StopSignals() {
+    ::sigemptyset(&signals_);
+    ::sigaddset(&signals_, SIGINT);
+    ::sigaddset(&signals_, SIGTERM);
+    ::pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
+    std::signal(SIGPIPE, SIG_IGN);
+  }
+  int Wait() const {
+    int signal = 0;
+    ::sigwait(&signals_, &signal);
+    return signal;
+  }
+
+ private:
+  sigset_t signals_{};
+};
+
+void Serve(const ServeOptions& serve) {
+  const StopSignals signals;
+  http::SetLogLevel(http::ParseLogLevel(serve.log_level));
+  const fs::path data = serve.data.empty() ? DefaultDataFolder() : fs::path(serve.data);
+  const std::unique_ptr<store::Store> store = store::OpenSqliteStore({data});
+  prolog::EnginePool engines;
+  server::Knowledge knowledge(*store, engines);
+  api::Context context{*store, knowledge};
+  http::ServerOptions options;
+  options.host = serve.host;
+  options.port = serve.port;
+  http::Server server(api::MakeService(context), options);
+  http::Log(http::LogLevel::kInfo, "ready", {{"url", server.url()}, {"data", data.string()}});
+  Print("Lares is ready at " + server.url() + "\n");
+
+  signals.Wait();
+  http::Log(http::LogLevel::kInfo, "stopping");
+  std::thread([signals] {
+    signals.Wait();
+    std::_Exit(1);  // asked twice: at once
+  }).detach();
+  if (!server.Stop(kGrace)) http::Log(http::LogLevel::kWarning, "requests were cut off");
+  http::Log(http::LogLevel::kInfo, "stopped");
+}
+
+}  // namespace
+
+void AddServe(CLI::App& app, const Options&) {
+  auto* command = AddCommand(app, "serve", "Run the server, for programs of this machine",
+                             "  lares serve\n  lares serve --port 9090 --data ./lares-data");
+  auto serve = std::make_shared<ServeOptions>();
+  command->add_option("--port", serve->port, "0: any free one")
+      ->check(CLI::Range(0, 65535))
+      ->capture_default_str();
+  command->add_option("--data", serve->data,
+                      "folder that everything is kept in (default: ~/.local/share/lares)");
+  command->add_option("--host", serve->host, "a loopback address: 127.0.0.1, localhost or ::1")
+      ->capture_default_str();
+  command->add_option("--log-level", serve->log_level, "debug, info, warning, error or off")
+      ->capture_default_str();
+  command->callback([serve] { Serve(*serve); });
+}
+
+}  // namespace lares::cli

@@ -1,0 +1,389 @@
+#include "server/http/server.h"
+
+#include <httplib.h>
+
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <limits>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "server/http/listen.h"
+#include "server/http/log.h"
+#include "server/http/problem.h"
+#include "server/http/url.h"
+
+namespace lares::http {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Renamed on the way in: httplib would act on the Range itself, on every kind of body.
+constexpr std::string_view kRangeAlias = "X-Lares-Range";
+
+constexpr std::size_t kMaxTarget = 4096;
+
+// What httplib reads from and writes to.
+class ConnectionStream : public httplib::Stream {
+ public:
+  explicit ConnectionStream(Connection& connection) : connection_(connection) {}
+
+  bool is_readable() const override { return true; }
+  bool is_writable() const override { return true; }
+  ssize_t read(char* bytes, size_t size) override { return connection_.Read(bytes, size); }
+  ssize_t write(const char* bytes, size_t size) override {
+    return connection_.Write({bytes, size}) ? static_cast<ssize_t>(size) : -1;
+  }
+  void get_remote_ip_and_port(std::string& ip, int& port) const override {
+    ip = connection_.remote();
+    port = 0;
+  }
+  void get_local_ip_and_port(std::string& ip, int& port) const override {
+    ip.clear();
+    port = 0;
+  }
+  socket_t socket() const override { return connection_.fd(); }
+
+ private:
+  Connection& connection_;
+};
+
+// One request on its way through httplib. The callbacks find it through `current`: they run on the
+// thread that called process_request.
+struct Exchange {
+  Connection& connection;
+  Request request;
+  Service::Admission admission;
+  bool admitted = false;
+  bool body_read = false;
+  bool keep_open = true;
+  int status = 0;
+  std::uint64_t body_bytes = 0;
+};
+thread_local Exchange* current = nullptr;
+
+std::string MarkRange(std::string header) {
+  for (std::size_t line = header.find("\r\n"); line != std::string::npos;
+       line = header.find("\r\n", line + 2)) {
+    static constexpr std::string_view kName = "range:";
+    if (header.size() - line - 2 < kName.size()) break;
+    if (ToLower(std::string_view(header).substr(line + 2, kName.size())) != kName) continue;
+    header.replace(line + 2, kName.size() - 1, kRangeAlias);
+  }
+  return header;
+}
+
+Request ToRequest(const httplib::Request& from) {
+  Request request;
+  request.method = from.method;
+  request.remote = from.remote_addr;
+  for (const auto& [name, value] : from.headers) {
+    if (name == "REMOTE_ADDR" || name == "REMOTE_PORT" || name == "LOCAL_ADDR" ||
+        name == "LOCAL_PORT") {
+      continue;  // httplib's own additions
+    }
+    request.headers.Add(name == kRangeAlias ? "Range" : name, value);
+  }
+  const std::size_t question = from.target.find('?');
+  request.path = from.target.substr(0, question);
+  const bool chunked = ToLower(request.headers.Get("Transfer-Encoding")).ends_with("chunked");
+  if (const std::string* length = request.headers.Find("Content-Length"); length && !chunked) {
+    request.content_length = std::strtoull(length->c_str(), nullptr, 10);
+  }
+  request.has_body = chunked || request.content_length.value_or(0) > 0;
+  return request;
+}
+
+// Refuses what the header alone shows to be wrong.
+void CheckHeader(const httplib::Request& from, Request& request) {
+  if (from.target.size() > kMaxTarget) {
+    throw ProblemError("uri-too-long", "the address is longer than 4096 bytes");
+  }
+  const std::size_t question = from.target.find('?');
+  auto query = ParseQuery(question == std::string::npos ? "" : from.target.substr(question + 1));
+  if (!query) throw ProblemError("bad-request", "the address's query cannot be read");
+  request.query = std::move(*query);
+  const auto lengths = from.get_header_value_count("Content-Length");
+  if (lengths > 1 || (lengths == 1 && from.has_header("Transfer-Encoding"))) {
+    throw ProblemError("bad-request", "the request states the length of its body twice");
+  }
+  const std::string length = from.get_header_value("Content-Length");
+  if (lengths == 1 && (length.empty() || length.size() > 18 ||
+                       length.find_first_not_of("0123456789") != std::string::npos)) {
+    throw ProblemError("bad-request", "Content-Length is no number");
+  }
+  const std::string encoding = ToLower(from.get_header_value("Transfer-Encoding"));
+  if (!encoding.empty() && encoding != "chunked") {
+    throw ProblemError("bad-request", "the only Transfer-Encoding taken is chunked");
+  }
+}
+
+// Called by httplib once the header is read: decides before a byte of the body is.
+void AdmitRequest(const Service& service, httplib::Request& from) {
+  Exchange& exchange = *current;
+  exchange.request = ToRequest(from);
+  try {
+    CheckHeader(from, exchange.request);
+    exchange.admission = service.Admit(exchange.request);
+  } catch (const std::exception& error) {
+    exchange.request.id = RequestId(exchange.request.headers.Get("X-Request-Id"));
+    exchange.admission.refusal = Service::Refuse(error, exchange.request.id);
+  }
+  exchange.admitted = true;
+  // httplib is to neither parse forms, nor decompress, nor compress, nor slice.
+  from.headers.erase("Content-Type");
+  from.headers.erase("Accept-Encoding");
+  from.ranges.clear();
+}
+
+void SendFile(const FileBody& file, httplib::DataSink& sink) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> handle(std::fopen(file.path.c_str(), "rb"),
+                                                               &std::fclose);
+  if (handle == nullptr || ::fseeko(handle.get(), static_cast<off_t>(file.offset), SEEK_SET) != 0) {
+    throw Error(Code::kIo, "cannot read '" + file.path.string() + "': " + std::strerror(errno));
+  }
+  std::array<char, 64 * 1024> piece;
+  std::uint64_t left = file.length;
+  while (left > 0) {
+    const std::size_t wanted = std::min<std::uint64_t>(piece.size(), left);
+    const std::size_t got = std::fread(piece.data(), 1, wanted, handle.get());
+    if (got == 0) throw Error(Code::kIo, "'" + file.path.string() + "' is shorter than it was");
+    if (!sink.write(piece.data(), got)) throw Error(Code::kIo, "the client has gone");
+    left -= got;
+  }
+}
+
+void GiveResponse(Response response, httplib::Response& to) {
+  Exchange& exchange = *current;
+  exchange.status = to.status = response.status;
+  exchange.body_bytes = exchange.request.method == "HEAD" ? 0 : BodyLength(response);
+  // httplib sets the length by the content; the type goes with it.
+  const std::string type(response.headers.Get("Content-Type"));
+  for (const auto& [name, value] : response.headers.all()) {
+    if (ToLower(name) != "content-length") to.headers.emplace(name, value);
+  }
+  if (exchange.request.has_body && !exchange.body_read) {
+    exchange.keep_open = false;
+    to.set_header("Connection", "close");
+  }
+  if (auto* text = std::get_if<std::string>(&response.body)) {
+    to.body = std::move(*text);
+    return;
+  }
+  const std::uint64_t length = BodyLength(response);
+  if (length == 0) return;
+  to.headers.erase("Content-Type");
+  to.set_content_provider(
+      length, type, [body = std::move(response.body)](size_t, size_t, httplib::DataSink& sink) {
+        if (const auto* file = std::get_if<FileBody>(&body)) {
+          SendFile(*file, sink);
+        } else {
+          std::get<StreamBody>(body).produce([&sink](std::string_view piece) {
+            if (!sink.write(piece.data(), piece.size())) {
+              throw Error(Code::kIo, "the client has gone");
+            }
+          });
+        }
+        return true;
+      });
+}
+
+// Gives the body to `sink` through httplib's reader, which takes no exceptions.
+void ReadBody(const httplib::ContentReader& reader, std::uint64_t max_bytes, const Sink& sink) {
+  Exchange& exchange = *current;
+  std::exception_ptr fault;
+  std::uint64_t total = 0;
+  const bool whole = reader([&](const char* bytes, size_t size) {
+    try {
+      total += size;
+      if (total > max_bytes) {
+        throw Error(Code::kTooLarge, "the body is longer than the " + std::to_string(max_bytes) +
+                                         " bytes allowed here");
+      }
+      sink({bytes, size});
+      return true;
+    } catch (...) {
+      fault = std::current_exception();
+      return false;
+    }
+  });
+  if (fault) std::rethrow_exception(fault);
+  if (!whole && exchange.connection.stalled()) {
+    throw ProblemError("request-timeout", "the body came too slowly");
+  }
+  if (!whole) throw ProblemError("bad-request", "the body ends before it is complete");
+  exchange.body_read = true;
+}
+
+// httplib as the protocol's engine: its own sockets and threads are not used.
+class Engine : public httplib::Server {
+ public:
+  explicit Engine(const Service& service) : service_(service) {
+    svr_sock_ = 0;  // "running": content is sent to its end; never used as a descriptor
+    set_payload_max_length(std::numeric_limits<size_t>::max());
+    set_pre_routing_handler([this](const httplib::Request&, httplib::Response& to) {
+      return BeforeBody(to) ? HandlerResponse::Handled : HandlerResponse::Unhandled;
+    });
+    const auto with_body = [this](const httplib::Request&, httplib::Response& to,
+                                  const httplib::ContentReader& reader) { AfterBody(to, reader); };
+    Post("[^]*", with_body);
+    Put("[^]*", with_body);
+    Patch("[^]*", with_body);
+    Delete("[^]*", with_body);
+    set_expect_100_continue_handler([](const httplib::Request&, httplib::Response& to) {
+      if (!current->admission.refusal) return 100;
+      GiveResponse(*current->admission.refusal, to);
+      return to.status;
+    });
+    set_error_handler(httplib::Server::Handler(
+        [](const httplib::Request&, httplib::Response& to) { RefuseMalformed(to); }));
+  }
+  ~Engine() override { svr_sock_ = INVALID_SOCKET; }
+
+  bool Process(Connection& connection, bool close) {
+    ConnectionStream stream(connection);
+    bool closed = false;
+    const bool fine = process_request(stream, close, closed, [this](httplib::Request& request) {
+      AdmitRequest(service_, request);
+    });
+    return fine && !closed;
+  }
+
+ private:
+  // True when the answer is given already.
+  bool BeforeBody(httplib::Response& to) const {
+    Exchange& exchange = *current;
+    if (exchange.admission.refusal) {
+      GiveResponse(*exchange.admission.refusal, to);
+      return true;
+    }
+    if (exchange.request.has_body) return false;
+    exchange.request.read_body = [](const Sink&) {};
+    GiveResponse(service_.Run(*exchange.admission.route, exchange.request), to);
+    return true;
+  }
+
+  void AfterBody(httplib::Response& to, const httplib::ContentReader& reader) const {
+    Exchange& exchange = *current;
+    const Route& route = *exchange.admission.route;
+    exchange.request.read_body = [&](const Sink& sink) {
+      ReadBody(reader, route.max_body_bytes, sink);
+    };
+    GiveResponse(service_.Run(route, exchange.request), to);
+  }
+
+  // What httplib refused by itself, before it gave us the request.
+  static void RefuseMalformed(httplib::Response& to) {
+    Exchange& exchange = *current;
+    if (exchange.status != 0) return;  // the answer is ours already
+    exchange.keep_open = false;
+    exchange.request.id = RequestId("");
+    const bool too_long = to.status == 414;
+    Response problem = Service::Refuse(
+        ProblemError(too_long ? "uri-too-long" : "bad-request",
+                     too_long ? "the address is longer than 4096 bytes"
+                              : "the request line or a header field cannot be read"),
+        exchange.request.id);
+    GiveResponse(std::move(problem), to);
+    to.set_header("Connection", "close");
+  }
+
+  const Service& service_;
+};
+
+std::string RawRefusal(const std::string& problem_code) {
+  const Response problem = Service::Refuse(
+      ProblemError(problem_code, problem_code == "request-timeout"
+                                     ? "the request's header did not arrive in time"
+                                     : "the request's header is larger than allowed"),
+      RequestId(""));
+  const std::string& body = std::get<std::string>(problem.body);
+  return "HTTP/1.1 " + std::to_string(problem.status) + " " +
+         std::string(FindProblemKind(problem_code).title) +
+         "\r\nContent-Type: application/problem+json\r\nConnection: close\r\nContent-Length: " +
+         std::to_string(body.size()) + "\r\n\r\n" + body;
+}
+
+}  // namespace
+
+struct Server::State {
+  std::shared_ptr<const Service> service;
+  ServerOptions options;
+  int port = 0;
+  std::unique_ptr<Engine> engine;
+  std::unique_ptr<ConnectionLoop> loop;
+
+  bool Serve(Connection& connection, bool closing) const;
+  void Record(const Exchange& exchange, Clock::duration duration) const;
+};
+
+bool Server::State::Serve(Connection& connection, bool closing) const {
+  const Clock::time_point start = Clock::now();
+  std::string header = connection.TakeHeader();
+  connection.PutBack(MarkRange(std::move(header)));
+  Exchange exchange{connection, {}, {}, false, false, true, 0, 0};
+  current = &exchange;
+  bool open = false;
+  try {
+    open = engine->Process(connection, closing);
+  } catch (const std::exception& error) {
+    // While the content was being sent: too late for a problem document.
+    Log(LogLevel::kWarning, "a response was cut short",
+        {{"request_id", exchange.request.id}, {"error", std::string(error.what())}});
+  }
+  current = nullptr;
+  const bool flushed = connection.Flush();
+  Record(exchange, Clock::now() - start);
+  if (!flushed) return false;
+  if (exchange.request.has_body && !exchange.body_read) {
+    connection.Linger(exchange.request.content_length.value_or(UINT64_MAX));
+    return false;
+  }
+  return open && exchange.keep_open;
+}
+
+void Server::State::Record(const Exchange& exchange, Clock::duration duration) const {
+  const Route* route = exchange.admission.route;
+  const std::string operation = route != nullptr ? route->operation : "none";
+  service->metrics().Record(operation, exchange.status, duration,
+                            exchange.request.content_length.value_or(0), exchange.body_bytes);
+  if (!options.access_log) return;
+  const double milliseconds = std::chrono::duration<double, std::milli>(duration).count();
+  Log(exchange.status >= 500 ? LogLevel::kError : LogLevel::kInfo, "request",
+      {{"request_id", exchange.request.id},
+       {"method", exchange.request.method},
+       {"path", exchange.request.path},
+       {"operation", operation},
+       {"status", static_cast<std::int64_t>(exchange.status)},
+       {"duration_ms", milliseconds},
+       {"bytes_in", static_cast<std::int64_t>(exchange.connection.bytes_in())},
+       {"bytes_out", static_cast<std::int64_t>(exchange.connection.bytes_out())},
+       {"remote", exchange.connection.remote()}});
+}
+
+Server::Server(std::shared_ptr<const Service> service, const ServerOptions& options)
+    : state_(std::make_unique<State>()) {
+  State& state = *state_;
+  state.service = std::move(service);
+  state.options = options;
+  state.engine = std::make_unique<Engine>(*state.service);
+  const Listener listener = ListenOnLoopback(options.host, options.port);
+  state.port = listener.port;
+  state.loop =
+      std::make_unique<ConnectionLoop>(listener.descriptor, options.loop,
+                                       LoopHandlers{[&state](Connection& connection, bool closing) {
+                                                      return state.Serve(connection, closing);
+                                                    },
+                                                    RawRefusal});
+}
+
+Server::~Server() = default;
+
+int Server::port() const { return state_->port; }
+
+std::string Server::url() const { return FormatBaseUrl({state_->options.host, state_->port}); }
+
+bool Server::Stop(std::chrono::milliseconds grace) { return state_->loop->Stop(grace); }
+
+}  // namespace lares::http

@@ -1,0 +1,59 @@
+#include <gtest/gtest.h>
+
+#include "ontology/rdf/document.h"
+
+namespace lares::rdf {
+namespace {
+
+TEST(RdfFormat, EachFormatsMediaTypeIsRecognised) {
+  for (const Format format :
+       {Format::kRdfXml, Format::kTurtle, Format::kTriG, Format::kNTriples, Format::kNQuads}) {
+    EXPECT_EQ(GuessFormat(MediaType(format), "", ""), format);
+  }
+}
+
+TEST(RdfFormat, MediaTypeWinsOverNameAndItsParametersAreIgnored) {
+  EXPECT_EQ(GuessFormat("Text/Turtle; charset=utf-8", "a.nt", "<rdf:RDF>"), Format::kTurtle);
+}
+
+TEST(RdfFormat, FileNameDecidesWhereTheMediaTypeIsVague) {
+  EXPECT_EQ(GuessFormat("application/octet-stream", "dir/A.TTL", ""), Format::kTurtle);
+  EXPECT_EQ(GuessFormat("", "a.owl", ""), Format::kRdfXml);
+  EXPECT_EQ(GuessFormat("", "a.rdf", ""), Format::kRdfXml);
+  EXPECT_EQ(GuessFormat("", "a.trig", ""), Format::kTriG);
+  EXPECT_EQ(GuessFormat("", "a.nt", ""), Format::kNTriples);
+  EXPECT_EQ(GuessFormat("", "a.nq", ""), Format::kNQuads);
+}
+
+TEST(RdfFormat, OwlFileInTurtleIsSeenByItsFirstBytes) {
+  EXPECT_EQ(GuessFormat("", "a.owl", "# hello\n@prefix : <http://e/> ."), Format::kTurtle);
+}
+
+TEST(RdfFormat, FirstBytesDecideWhereNothingElseTells) {
+  EXPECT_EQ(GuessFormat("", "", "\xEF\xBB\xBF<?xml version='1.0'?>"), Format::kRdfXml);
+  EXPECT_EQ(GuessFormat("", "", "\n <!-- x --><rdf:RDF>"), Format::kRdfXml);
+  EXPECT_EQ(GuessFormat("", "", "<rdf:RDF xmlns:rdf='x'>"), Format::kRdfXml);
+  EXPECT_EQ(GuessFormat("", "", "<http://e/a> a <http://e/b> ."), Format::kTurtle);
+  EXPECT_EQ(GuessFormat("", "", "PREFIX e: <http://e/>"), Format::kTurtle);
+  EXPECT_EQ(GuessFormat("", "", "{ <a> <b> <c> }"), Format::kTriG);
+}
+
+TEST(RdfFormat, OtherFormatsAreRefused) {
+  struct Unknown {
+    std::string type, name, bytes;
+  };
+  for (const Unknown& unknown :
+       {Unknown{"application/json", "a.ttl", ""}, Unknown{"", "", ""}, Unknown{"", "", "hello"},
+        Unknown{"", "a.owl", "Prefix(:=<http://e/>)"}}) {
+    try {
+      GuessFormat(unknown.type, unknown.name, unknown.bytes);
+      ADD_FAILURE() << unknown.type << unknown.name << unknown.bytes;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Code::kUnsupported);
+      EXPECT_FALSE(error.hint().empty());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace lares::rdf

@@ -1,0 +1,165 @@
+#include "tests/server/api/fake_knowledge.h"
+
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "recipes/plan/export.h"
+
+namespace lares {
+namespace testing {
+
+FakeAnswers& Answers() {
+  static FakeAnswers answers;
+  return answers;
+}
+
+}  // namespace testing
+
+namespace prolog {
+
+struct EnginePool::State {};
+EnginePool::EnginePool(const Options&) {}
+EnginePool::~EnginePool() = default;
+
+}  // namespace prolog
+
+namespace server {
+
+struct Knowledge::State {
+  store::Store& store;
+  rdf::AliasTable aliases{{{"http://old#", "https://w3id.org/lares#", "the old one", true}}};
+};
+
+Knowledge::Knowledge(store::Store& store, prolog::EnginePool&)
+    : state_(std::make_unique<State>(State{store})) {}
+Knowledge::~Knowledge() = default;
+
+PutAnswer Knowledge::Put(const PutRequest& request) {
+  if (testing::Answers().put) return testing::Answers().put(request, state_->store);
+  if (request.bytes.find("malformed") != std::string::npos && !request.recover) {
+    throw Error(Code::kInvalid, "malformed comment", Place{request.file_name, 715, 6})
+        .WithHint("--recover repairs this and lists what it did");
+  }
+  nlohmann::json details = nlohmann::json::object();
+  for (const AttachedFile& file : request.files) {
+    details["files"].push_back({{"file_name", file.file_name},
+                                {"media_type", file.media_type},
+                                {"sha256", file.blob.sha256},
+                                {"size", file.blob.size}});
+  }
+  PutAnswer answer;
+  answer.document =
+      state_->store.PutDocument({request.kind,
+                                 request.id,
+                                 request.media_type.empty() ? "text/turtle" : request.media_type,
+                                 request.file_name,
+                                 request.bytes,
+                                 details.dump(),
+                                 {{"Label of " + request.id, "label", "urn:x"}},
+                                 request.if_match});
+  answer.statements = request.bytes.size();
+  if (request.recover) {
+    answer.remarks.push_back(
+        {rdf::Remark::Kind::kRepair, Place{request.file_name, 715, 6}, "comment mended"});
+  }
+  answer.warnings.push_back("'urn:absent' is not in the catalogue");
+  answer.tasks.push_back({{"urn:x", "FindBottle", "urn:x"}, true, true, {{"urn:s", "s", ""}}});
+  answer.robots.push_back({"urn:r", "Pioneer", "urn:old-r"});
+  return answer;
+}
+
+void Knowledge::Remove(store::DocumentKind kind, const std::string& id) {
+  state_->store.DeleteDocument(kind, id);
+}
+
+Knowledge::VersionAnswer Knowledge::PutVersion(const store::NewVersion& version) {
+  return {state_->store.PutVersion(version), {}, {"a warning"}, {}};
+}
+
+std::string Knowledge::RenderSemantic(const std::string& environment, int version,
+                                      rdf::Format format) {
+  return environment + "/" + std::to_string(version) + " as " + std::string(rdf::MediaType(format));
+}
+
+std::vector<semantic::MapObject> Knowledge::MapObjects(const std::string&, int) {
+  semantic::MapObject bottle;
+  bottle.iri = "urn:bottle1";
+  bottle.label = "bottle1";
+  bottle.class_iri = "https://w3id.org/lares#Bottle";
+  bottle.map_from_object = RigidTransform{};
+  bottle.map_from_object->translation_m = {1, 2, 3};
+  bottle.existence = 0.9;
+  bottle.last_seen = Now();
+  return {bottle};
+}
+
+PlanAnswer Knowledge::MakePlan(const PlanRequest& request) {
+  if (testing::Answers().plan) return testing::Answers().plan(request);
+  PlanAnswer answer;
+  answer.result.match.feasible = true;
+  recipes::Plan plan;
+  plan.task = {"urn:" + request.task, request.task, ""};
+  plan.robot = {"urn:" + request.robot, request.robot, ""};
+  answer.result.plan = plan;
+  return answer;
+}
+
+WhereAnswer Knowledge::Where(const WhereRequest& request) {
+  if (testing::Answers().where) return testing::Answers().where(request);
+  WhereAnswer answer;
+  answer.object = {"https://w3id.org/lares#" + request.object, request.object, ""};
+  answer.prior = request.prior.empty() ? "lares" : request.prior;
+  answer.prior_title = "Where things are";
+  answer.rooms = {{{"urn:Kitchen", "Kitchen", ""}, 0.72834, 41},
+                  {{"urn:Office", "Office", ""}, 0.1608, 9}};
+  if (!request.environment.empty()) {
+    answer.seen.push_back({request.environment, 1, MapObjects(request.environment, 1).front()});
+  }
+  return answer;
+}
+
+std::vector<ObjectModelInfo> Knowledge::ObjectModels(const std::string& class_name) {
+  std::vector<ObjectModelInfo> models;
+  for (auto& document : state_->store.ListDocuments(store::DocumentKind::kObjectModel)) {
+    models.push_back({document, {{"urn:Cabinet", "Cabinet", ""}}});
+  }
+  if (!class_name.empty() && class_name != "Cabinet") models.clear();
+  return models;
+}
+
+recipes::Resource Knowledge::ResolveClass(const std::string& name) {
+  if (name == "Nonsense") {
+    throw Error(Code::kNotFound, "there is no class 'Nonsense'").WithCandidates({"Nonce"});
+  }
+  return {"https://w3id.org/lares#" + name, name, ""};
+}
+
+const rdf::AliasTable& Knowledge::aliases() const { return state_->aliases; }
+std::vector<Knowledge::Module> Knowledge::Modules() const {
+  return {{"core", "built-in", 100}, {"knowrob", "stored", 2000}};
+}
+rdf::View Knowledge::Catalogue() const { return rdf::View(std::make_shared<rdf::Dictionary>()); }
+Knowledge::Counts Knowledge::counts() const { return {10, 20, 30, 1, 0}; }
+
+}  // namespace server
+
+namespace recipes {
+
+nlohmann::json ToJson(const MatchReport& report) {
+  return {{"feasible", report.feasible}, {"task", report.task.label}};
+}
+nlohmann::json ToJson(const Plan& plan) {
+  return {{"task", plan.task.label}, {"robot", plan.robot.label}};
+}
+nlohmann::json ToJson(const PlanResult& result) {
+  return {{"match", ToJson(result.match)}, {"problems", result.problems}};
+}
+std::string ToBehaviorTreeXml(const Plan& plan) {
+  return "<root task=\"" + plan.task.label + "\"/>";
+}
+std::string ToDot(const Plan&) { return "digraph {}\n"; }
+std::string ToText(const Plan& plan) { return "plan of " + plan.task.label + "\n"; }
+std::string ToText(const MatchReport& report) { return report.task.label + " needs more\n"; }
+
+}  // namespace recipes
+}  // namespace lares

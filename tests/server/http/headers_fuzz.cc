@@ -1,0 +1,37 @@
+// One text through every reader of a header's value.
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "base/error.h"
+#include "server/http/etag.h"
+#include "server/http/media_type.h"
+#include "server/http/origin_check.h"
+#include "server/http/range.h"
+#include "server/http/url.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  for (const std::uint64_t length : {std::uint64_t{0}, std::uint64_t{10}, UINT64_MAX}) {
+    const lares::http::ByteRange range = lares::http::ParseRange(text, length);
+    if (range.kind != lares::http::ByteRange::Kind::kPart) continue;
+    if (range.length == 0 || range.offset >= length || range.length > length - range.offset) {
+      std::abort();
+    }
+  }
+  lares::http::ParseEntityTags(text);
+  lares::http::NoneMatchHits(text, "\"a\"");
+  lares::http::ParseMediaType(text);
+  lares::http::ChooseMediaType(text, {"text/turtle", "application/rdf+xml"});
+  lares::http::ParseQuery(text);
+  lares::http::PercentDecode(text);
+  try {
+    lares::http::Request request;
+    request.method = "PUT";
+    request.headers.Add("Host", std::string(text));
+    request.headers.Add("Origin", std::string(text));
+    lares::http::CheckOrigin(request);
+  } catch (const lares::Error&) {
+  }
+  return 0;
+}
