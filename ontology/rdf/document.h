@@ -40,7 +40,7 @@ struct Remark {
 };
 
 struct Document {
-  std::string base_iri;
+  std::string base_iri;  // RDF/XML: xml:base of the root; Turtle: the given or the first stated
   Format format = Format::kTurtle;
   std::vector<Term> terms;  // each distinct term once, as written (aliases not applied)
   std::vector<Statement> statements;

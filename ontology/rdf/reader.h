@@ -22,7 +22,9 @@ struct ReadOptions {
 // The whole document, or an Error with source, line and column: kInvalid (malformed), kTooLarge (a
 // limit), kUnsupported. Never touches the network or any other file; external entities, DTD
 // subsets from outside and XInclude are refused. Terms are checked: IRIs have no spaces or control
-// characters, text is UTF-8.
+// characters, text is UTF-8. A relative IRI where no base is known is an error, so give one. The
+// Turtle family is read strictly (N-Triples: one statement to a line). RDF/XML nests 256 elements
+// at most, whatever max_depth says: libxml2's own bound. Columns count characters.
 //
 // With `recover`, RDF/XML may have: malformed comments ("<!-x-->", "--" inside), references to
 // undefined entities whose namespace is known (built-in prefixes and the document's own xmlns), and
