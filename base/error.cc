@@ -4,18 +4,30 @@ namespace lares {
 
 std::string_view ToString(Code code) {
   switch (code) {
-    case Code::kInvalid: return "invalid";
-    case Code::kNotFound: return "not-found";
-    case Code::kAmbiguous: return "ambiguous";
-    case Code::kConflict: return "conflict";
-    case Code::kPreconditionFailed: return "precondition-failed";
-    case Code::kTooLarge: return "too-large";
-    case Code::kTimeout: return "timeout";
-    case Code::kUnsupported: return "unsupported";
-    case Code::kForbidden: return "forbidden";
-    case Code::kUnavailable: return "unavailable";
-    case Code::kIo: return "io";
-    case Code::kInternal: return "internal";
+    case Code::kInvalid:
+      return "invalid";
+    case Code::kNotFound:
+      return "not-found";
+    case Code::kAmbiguous:
+      return "ambiguous";
+    case Code::kConflict:
+      return "conflict";
+    case Code::kPreconditionFailed:
+      return "precondition-failed";
+    case Code::kTooLarge:
+      return "too-large";
+    case Code::kTimeout:
+      return "timeout";
+    case Code::kUnsupported:
+      return "unsupported";
+    case Code::kForbidden:
+      return "forbidden";
+    case Code::kUnavailable:
+      return "unavailable";
+    case Code::kIo:
+      return "io";
+    case Code::kInternal:
+      return "internal";
   }
   return "internal";
 }

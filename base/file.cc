@@ -67,8 +67,8 @@ std::string ReadFile(const std::filesystem::path& path, std::uintmax_t max_bytes
     }
     if (count == 0) return bytes;
     if (bytes.size() + static_cast<std::size_t>(count) > max_bytes) {
-      throw Error(Code::kTooLarge, "'" + path.string() + "' is larger than " +
-                                       std::to_string(max_bytes) + " bytes");
+      throw Error(Code::kTooLarge,
+                  "'" + path.string() + "' is larger than " + std::to_string(max_bytes) + " bytes");
     }
     bytes.append(buffer, static_cast<std::size_t>(count));
   }
@@ -85,8 +85,7 @@ void WriteFileAtomically(const std::filesystem::path& path, std::string_view byt
   std::filesystem::path temporary = path;
   temporary += ".tmp" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
   try {
-    const Descriptor file(
-        ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
+    const Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
     if (file.get() < 0) ThrowErrno("cannot create", temporary);
     WriteAll(file.get(), bytes, temporary);
     if (::fsync(file.get()) != 0) ThrowErrno("cannot sync", temporary);

@@ -51,15 +51,14 @@ std::optional<Time> FromRfc3339(std::string_view text) {
 }
 
 std::string ToAge(Time then, Time now) {
-  const long long seconds =
-      std::chrono::duration_cast<std::chrono::seconds>(now - then).count();
+  const long long seconds = std::chrono::duration_cast<std::chrono::seconds>(now - then).count();
   if (seconds < 5) return "just now";
   struct Unit {
     long long size_s;
     const char* name;
   };
-  constexpr Unit kUnits[] = {{31557600, "year"}, {86400, "day"}, {3600, "hour"},
-                             {60, "minute"},     {1, "second"}};
+  constexpr Unit kUnits[] = {
+      {31557600, "year"}, {86400, "day"}, {3600, "hour"}, {60, "minute"}, {1, "second"}};
   for (const Unit& unit : kUnits) {
     const long long count = seconds / unit.size_s;
     if (count >= 1) {

@@ -5,7 +5,7 @@ build="$1"
 lares="$build/server/cli/lares"
 work="$(mktemp -d)"
 server=""
-trap '[ -n "$server" ] && kill -KILL "$server" 2>/dev/null; rm -rf "$work"' EXIT
+trap '[ -n "$server" ] && { kill -KILL "$server"; wait "$server"; } 2>/dev/null; rm -rf "$work"' EXIT
 export LARES_SHARE="$PWD"
 short=0
 
@@ -15,7 +15,7 @@ median() { sort -g | awk '{v[NR] = $1} END {print v[int((NR + 1) / 2)]}'; }
 row() {
   local verdict=ok
   awk -v m="$5" -v l="$3" "BEGIN {exit !(m $2 l)}" || { verdict="SHORT"; short=1; }
-  printf '%-62s %2s %-9s %12s  %-10s load %s  %s\n' "$1" "$2" "$3" "$5" "$4" \
+  printf '%-62s %2s %-9s %12s  %-10s load %s  %s\n' "$1" "$2" "$3" "$(printf '%.4g' "$5")" "$4" \
     "$(cut -d' ' -f1 /proc/loadavg)" "$verdict"
 }
 
@@ -76,5 +76,5 @@ for i in 1 2 3 4 5; do
 done
 row "200 MB layer up and down: growth of the server's memory peak" "<" 16 MiB "$(median <"$work/growth")"
 printf '%-62s    %-9s %12s  %-10s load %s\n' "  … and the time for both, checks and syncs included" "-" \
-  "$(median <"$work/updown")" s "$(cut -d' ' -f1 /proc/loadavg)"
+  "$(printf '%.4g' "$(median <"$work/updown")")" s "$(cut -d' ' -f1 /proc/loadavg)"
 exit "$short"

@@ -3,9 +3,7 @@ include(GNUInstallDirs)
 if(TARGET lares)
   install(TARGETS lares RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
-install(DIRECTORY ontology/ DESTINATION ${CMAKE_INSTALL_DATADIR}/lares/ontology
-        FILES_MATCHING PATTERN "*.ttl" PATTERN "*.tsv")
-install(DIRECTORY recipes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/lares/recipes
-        FILES_MATCHING PATTERN "*.ttl")
-install(DIRECTORY robots/ DESTINATION ${CMAKE_INSTALL_DATADIR}/lares/robots
-        FILES_MATCHING PATTERN "*.ttl")
+foreach(folder ontology ontology/priors recipes/skills recipes/library robots/models)
+  file(GLOB shared CONFIGURE_DEPENDS ${folder}/*.ttl ${folder}/*.tsv)
+  install(FILES ${shared} DESTINATION ${CMAKE_INSTALL_DATADIR}/lares/${folder})
+endforeach()

@@ -9,7 +9,9 @@ namespace lares::rdf {
 namespace {
 
 bool IsNamespaceRow(const Alias& row) {
-  const auto ends = [](std::string_view text) { return text.ends_with('#') || text.ends_with('/'); };
+  const auto ends = [](std::string_view text) {
+    return text.ends_with('#') || text.ends_with('/');
+  };
   return ends(row.alias) && ends(row.canonical);
 }
 

@@ -26,7 +26,9 @@ struct Term {
   std::string language;
 
   static Term Iri(std::string_view iri) { return {TermKind::kIri, std::string(iri), {}, {}}; }
-  static Term Blank(std::string_view label) { return {TermKind::kBlank, std::string(label), {}, {}}; }
+  static Term Blank(std::string_view label) {
+    return {TermKind::kBlank, std::string(label), {}, {}};
+  }
   static Term Literal(std::string_view lexical, std::string_view datatype = {},
                       std::string_view language = {}) {
     return {TermKind::kLiteral, std::string(lexical), std::string(datatype), std::string(language)};

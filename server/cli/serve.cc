@@ -29,10 +29,10 @@ struct ServeOptions {
 
 fs::path DefaultDataFolder() {
   if (const char* data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data == '/') {
-    return fs::path(data) / "lares";
+    return fs::path(data) / "lares" / "store";
   }
   if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
-    return fs::path(home) / ".local" / "share" / "lares";
+    return fs::path(home) / ".local" / "share" / "lares" / "store";
   }
   throw Error(Code::kInvalid, "neither HOME nor XDG_DATA_HOME is set")
       .WithHint("say where to keep the data with --data");
@@ -94,7 +94,7 @@ void AddServe(CLI::App& app, const Options&) {
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();
   command->add_option("--data", serve->data,
-                      "folder that everything is kept in (default: ~/.local/share/lares)");
+                      "folder that everything is kept in (default: ~/.local/share/lares/store)");
   command->add_option("--host", serve->host, "a loopback address: 127.0.0.1, localhost or ::1")
       ->capture_default_str();
   command->add_option("--log-level", serve->log_level, "debug, info, warning, error or off")

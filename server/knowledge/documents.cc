@@ -239,6 +239,7 @@ PutAnswer Knowledge::Put(const PutRequest& original) {
   request.media_type = rdf::MediaType(format);
   rdf::ReadOptions options;
   options.source = request.file_name;
+  options.base_iri = BaseIri(GraphName(request.kind, request.id));
   options.recover = request.recover;
   Incoming incoming{request,
                     request.file_name,

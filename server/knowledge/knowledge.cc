@@ -1,5 +1,6 @@
 #include "server/knowledge/knowledge.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/file.h"
@@ -18,11 +19,19 @@ std::string EnvironmentGraphName(const std::string& environment) {
   return "environment:" + environment;
 }
 
-rdf::Document ReadStored(const store::Store& store, const store::Blob& blob,
-                         const std::string& media_type, const std::string& file_name) {
+std::string BaseIri(const std::string& graph_name) {
+  std::string path = graph_name;
+  std::replace(path.begin(), path.end(), ':', '/');
+  return "https://w3id.org/lares/documents/" + path;
+}
+
+rdf::Document ReadStored(const store::Store& store, const std::string& graph_name,
+                         const store::Blob& blob, const std::string& media_type,
+                         const std::string& file_name) {
   const std::string bytes = store.ReadBlob(blob.sha256);
   rdf::ReadOptions options;
   options.source = file_name;
+  options.base_iri = BaseIri(graph_name);
   options.recover = true;  // it was accepted once; what was repaired then is repaired again
   return rdf::ReadRdf(bytes, rdf::GuessFormat(media_type, file_name, bytes), options);
 }
@@ -34,10 +43,10 @@ Knowledge::Knowledge(store::Store& store, prolog::EnginePool& engines)
   state_->own_graphs = LoadOwnModules(state_->aliases, *state_->dictionary);
   std::vector<rdf::Graph> stored;
   for (const store::DocumentInfo& document : store.ListDocuments(store::DocumentKind::kOntology)) {
+    const std::string name = GraphName(document.kind, document.id);
     const rdf::Document content =
-        ReadStored(store, document.blob, document.media_type, document.file_name);
-    stored.push_back(rdf::MakeGraph(content, GraphName(document.kind, document.id), state_->aliases,
-                                    *state_->dictionary));
+        ReadStored(store, name, document.blob, document.media_type, document.file_name);
+    stored.push_back(rdf::MakeGraph(content, name, state_->aliases, *state_->dictionary));
     state_->stored_graphs[document.id] = stored.back();
   }
   state_->Publish(MakeCatalogue(state_->dictionary, state_->own_graphs, stored, 1));
@@ -50,7 +59,7 @@ rdf::View Knowledge::State::Over(const rdf::View& below, const std::string& key,
                                  const store::DocumentInfo& document) {
   return views.GetOrMake(key, [&] {
     const rdf::Document content =
-        ReadStored(store, document.blob, document.media_type, document.file_name);
+        ReadStored(store, graph_name, document.blob, document.media_type, document.file_name);
     return below.With(
         owl::Materialise(below, {rdf::MakeGraph(content, graph_name, aliases, *dictionary)}));
   });

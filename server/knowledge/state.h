@@ -64,8 +64,12 @@ struct Knowledge::State {
 std::string GraphName(store::DocumentKind kind, const std::string& id);
 std::string EnvironmentGraphName(const std::string& environment);
 
-// The document, read with what is known of its format.
-rdf::Document ReadStored(const store::Store& store, const store::Blob& blob,
-                         const std::string& media_type, const std::string& file_name);
+// What relative IRIs of a document mean that states no base of its own.
+std::string BaseIri(const std::string& graph_name);
+
+// The document behind a graph, read with what is known of its format.
+rdf::Document ReadStored(const store::Store& store, const std::string& graph_name,
+                         const store::Blob& blob, const std::string& media_type,
+                         const std::string& file_name);
 
 }  // namespace lares::server

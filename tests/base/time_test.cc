@@ -13,7 +13,8 @@ TEST(TimeTest, Rfc3339RoundTrips) {
 }
 
 TEST(TimeTest, WhatIsNoTimeIsNothing) {
-  for (const char* bad : {"", "yesterday", "2023-13-14T22:13:20Z", "2023-11-14T22:13:20", "2023-11-14T22:13:20+02:00"}) {
+  for (const char* bad : {"", "yesterday", "2023-13-14T22:13:20Z", "2023-11-14T22:13:20",
+                          "2023-11-14T22:13:20+02:00"}) {
     EXPECT_FALSE(FromRfc3339(bad)) << bad;
   }
 }

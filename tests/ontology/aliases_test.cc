@@ -16,7 +16,8 @@ constexpr char kTable[] =
 
 TEST(AliasTableTest, NamespaceRowThenExactRow) {
   const AliasTable table = AliasTable::FromTsv(kTable, "t");
-  EXPECT_EQ(table.Canonical("http://ias.cs.tum.edu/kb/knowrob.owl#Cup"), "https://w3id.org/lares#Cup");
+  EXPECT_EQ(table.Canonical("http://ias.cs.tum.edu/kb/knowrob.owl#Cup"),
+            "https://w3id.org/lares#Cup");
   EXPECT_EQ(table.Canonical("http://ias.cs.tum.edu/kb/knowrob.owl#Bed-PieceOfFurniture"),
             "https://w3id.org/lares#Bed");
   EXPECT_EQ(table.Canonical("http://ias.cs.tum.edu/kb/x"), "https://example.org/rest/x");

@@ -91,6 +91,14 @@ TEST_F(KnowledgeTest, ARefusedRecipeLeavesNothingAndNamesAPlace) {
   EXPECT_TRUE(store_->ListDocuments(DocumentKind::kRecipe).empty());
 }
 
+TEST_F(KnowledgeTest, RelativeIrisOfADocumentWithoutBaseBelongToTheDocument) {
+  std::string recipe = WalkRecipe("Walk", 1);
+  recipe += "<> a owl:Ontology . <#Patrol> a owl:Class ; rdfs:subClassOf :Walk .\n";
+  Put(DocumentKind::kRecipe, "walk", recipe);
+  Put(DocumentKind::kRobot, "rover", BaseOnlyRobot("rover"));
+  EXPECT_TRUE(knowledge_->MakePlan({"Walk", "rover"}).result.plan);
+}
+
 TEST_F(KnowledgeTest, ADocumentWithoutRobotIsNoRobot) {
   EXPECT_EQ(
       CodeOf([&] { Put(DocumentKind::kRobot, "r", std::string(kPrefixes) + ":a :b :c .\n"); }),
