@@ -84,13 +84,15 @@ std::optional<Format> FromBytes(std::string_view bytes) {
           "are read");
 }
 
-// ".owl" says ontology, not syntax.
-Format OfOwlFile(std::string_view bytes) {
+// Syntaxes of OWL that are not RDF, whatever they were sent as.
+void RefuseOtherOwlSyntaxes(std::string_view bytes) {
   const std::string_view text = SkipBlank(bytes.substr(0, 1 << 16));
   if (text.starts_with("Prefix(") || text.starts_with("Ontology(")) {
-    Refuse("this is OWL functional syntax, which is not read");
+    Refuse("this is OWL functional syntax, which is not read: convert it to RDF/XML or Turtle");
   }
-  return FromBytes(bytes).value_or(Format::kRdfXml);
+  if (text.starts_with("Prefix:") || text.starts_with("Ontology:")) {
+    Refuse("this is OWL Manchester syntax, which is not read: convert it to RDF/XML or Turtle");
+  }
 }
 
 }  // namespace
@@ -113,6 +115,7 @@ std::string_view MediaType(Format format) {
 
 Format GuessFormat(std::string_view media_type, std::string_view file_name,
                    std::string_view bytes) {
+  RefuseOtherOwlSyntaxes(bytes);
   const std::string type =
       ToLower(Trim(media_type.substr(0, std::min(media_type.find(';'), media_type.size()))));
   for (const Row& row : kMediaTypes) {
@@ -122,7 +125,8 @@ Format GuessFormat(std::string_view media_type, std::string_view file_name,
   for (const std::string_view vague : kVagueTypes) is_vague = is_vague || type == vague;
   if (!is_vague) Refuse("the media type '" + type + "' is not one of RDF");
   const std::string name = ToLower(file_name);
-  if (name.ends_with(".owl")) return OfOwlFile(bytes);
+  // ".owl" says ontology, not syntax.
+  if (name.ends_with(".owl")) return FromBytes(bytes).value_or(Format::kRdfXml);
   for (const Row& row : kExtensions) {
     if (name.ends_with(row.key)) return row.format;
   }

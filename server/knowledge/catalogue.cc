@@ -53,23 +53,37 @@ std::vector<rdf::Graph> LoadOwnModules(const rdf::AliasTable& aliases,
   return graphs;
 }
 
-std::shared_ptr<const CatalogueState> MakeCatalogue(
-    const std::shared_ptr<rdf::Dictionary>& dictionary, const std::vector<rdf::Graph>& own,
-    const std::vector<rdf::Graph>& stored, std::uint64_t generation) {
-  auto catalogue =
-      std::make_shared<CatalogueState>(CatalogueState{rdf::View(dictionary), generation, {}, {}});
-  std::vector<rdf::Graph> graphs;
-  for (const auto& [origin, group] : {std::pair{"built-in", &own}, std::pair{"stored", &stored}}) {
-    for (const rdf::Graph& graph : *group) {
-      catalogue->modules.push_back(
-          {graph.name.substr(graph.name.find(':') + 1), origin, graph.triples.size()});
-      graphs.push_back(graph);
+rdf::View CloseOwnModules(const std::shared_ptr<rdf::Dictionary>& dictionary,
+                          std::vector<rdf::Graph> own) {
+  const rdf::View empty(dictionary);
+  return empty.With(owl::Materialise(empty, std::move(own)));
+}
+
+std::shared_ptr<const CatalogueState> MakeCatalogue(const rdf::View& own,
+                                                    const std::vector<rdf::Graph>& stored,
+                                                    std::uint64_t generation) {
+  auto catalogue = std::make_shared<CatalogueState>(CatalogueState{own, generation, {}, {}});
+  if (!stored.empty()) catalogue->view = own.With(owl::Materialise(own, stored));
+  for (const auto& layer : catalogue->view.layers()) {
+    const bool is_own = layer == own.layers().front();
+    for (const rdf::Graph& graph : layer->graphs()) {
+      catalogue->modules.push_back({graph.name.substr(graph.name.find(':') + 1),
+                                    is_own ? "built-in" : "stored", graph.triples.size()});
     }
   }
-  const rdf::View empty(dictionary);
-  catalogue->view = empty.With(owl::Materialise(empty, std::move(graphs)));
   IndexClasses(*catalogue);
   return catalogue;
+}
+
+bool IsPlace(const CatalogueState& catalogue, rdf::TermId kind) {
+  const rdf::View& all = catalogue.view;
+  const rdf::TermId sub_class = Iri(all, rdf::kRdfs, "subClassOf");
+  const rdf::TermId place = Iri(all, rdf::kLares, "Place");
+  if (kind == place) return true;
+  const rdf::Layer& own = *all.layers().front();
+  const bool own_knows = !own.Range({kind, sub_class, {}}).empty();
+  return own_knows ? own.Contains({kind, sub_class, place})
+                   : all.Contains({kind, sub_class, place});
 }
 
 recipes::Resource Describe(const rdf::View& view, rdf::TermId term) {
@@ -81,18 +95,37 @@ recipes::Resource Describe(const rdf::View& view, std::string_view iri) {
   return {std::string(iri), std::string(LocalName(iri)), std::string(iri)};
 }
 
+namespace {
+
+// "left_arm is ArmComponent and ManipulationEntity, which exclude each other", where two types of
+// one thing clash; the premises one by one otherwise.
+std::string DescribeClash(const rdf::View& view, const rdf::Clash& clash) {
+  const rdf::TermId type = Iri(view, rdf::kRdf, "type");
+  std::vector<rdf::Triple> types;
+  std::string premises;
+  for (const rdf::Triple& premise : clash.premises) {
+    const bool is_schema = view.dictionary().Get(premise.object).value.starts_with(rdf::kOwl);
+    if (premise.predicate == type && !is_schema) types.push_back(premise);
+    premises += (premises.empty() ? " " : "; ") + view.Label(premise.subject) + " " +
+                view.Label(premise.predicate) + " " + view.Label(premise.object);
+  }
+  if (types.size() == 2 && types[0].subject == types[1].subject) {
+    return "contradiction (" + clash.rule + "): " + Describe(view, types[0].subject).label +
+           " is " + view.Label(types[0].object) + " and " + view.Label(types[1].object) +
+           ", which exclude each other";
+  }
+  return "contradiction (" + clash.rule + "):" + premises;
+}
+
+}  // namespace
+
 std::vector<std::string> DescribeClashes(const rdf::View& view, std::size_t limit) {
   std::vector<std::string> sentences;
   if (view.layers().empty()) return sentences;
   std::set<std::string> seen;
   const std::vector<rdf::Clash>& clashes = view.layers().back()->clashes();
   for (const rdf::Clash& clash : clashes) {
-    std::string sentence = "contradiction (" + clash.rule + "):";
-    for (const rdf::Triple& premise : clash.premises) {
-      sentence += " " + view.Label(premise.subject) + " " + view.Label(premise.predicate) + " " +
-                  view.Label(premise.object) + ";";
-    }
-    if (sentence.ends_with(';')) sentence.pop_back();
+    std::string sentence = DescribeClash(view, clash);
     if (!seen.insert(sentence).second) continue;
     if (sentences.size() == limit) {
       sentences.push_back("and further contradictions, " + std::to_string(clashes.size()) +

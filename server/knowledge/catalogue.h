@@ -17,7 +17,7 @@ namespace lares::server {
 
 // One state of the catalogue. Immutable, shared by the readers that began with it.
 struct CatalogueState {
-  rdf::View view;
+  rdf::View view;  // the own modules' layer below, that of the stored documents above it
   std::uint64_t generation = 0;
   std::vector<Knowledge::Module> modules;
   // Lower-case local name or label of a class → the classes.
@@ -27,10 +27,18 @@ struct CatalogueState {
 // The graphs of the project's own modules: ontology/*.ttl and recipes/skills/*.ttl.
 std::vector<rdf::Graph> LoadOwnModules(const rdf::AliasTable& aliases, rdf::Dictionary& dictionary);
 
-// Closes `own` and `stored` together.
-std::shared_ptr<const CatalogueState> MakeCatalogue(
-    const std::shared_ptr<rdf::Dictionary>& dictionary, const std::vector<rdf::Graph>& own,
-    const std::vector<rdf::Graph>& stored, std::uint64_t generation);
+// The layer of the project's own modules; they change only with the program.
+rdf::View CloseOwnModules(const std::shared_ptr<rdf::Dictionary>& dictionary,
+                          std::vector<rdf::Graph> own);
+
+// The catalogue of the own modules and `stored`.
+std::shared_ptr<const CatalogueState> MakeCatalogue(const rdf::View& own,
+                                                    const std::vector<rdf::Graph>& stored,
+                                                    std::uint64_t generation);
+
+// Whether a class is one of places: as our own modules have it where they know the class (KnowRob
+// calls every container a place), as the whole catalogue has it otherwise.
+bool IsPlace(const CatalogueState& catalogue, rdf::TermId kind);
 
 // A term as answers name it.
 recipes::Resource Describe(const rdf::View& view, rdf::TermId term);

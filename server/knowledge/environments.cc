@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ontology/rdf/vocabulary.h"
 #include "ontology/rdf/writer.h"
 #include "server/knowledge/knowledge.h"
 #include "server/knowledge/state.h"
@@ -15,12 +16,38 @@ const store::LayerInfo* SemanticLayer(const std::vector<store::LayerInfo>& layer
   return layer == layers.end() ? nullptr : &*layer;
 }
 
+std::string PlaceType(Knowledge& knowledge, const CatalogueState& catalogue,
+                      const std::string& name) {
+  const recipes::Resource type = knowledge.ResolveClass(name);
+  const auto term = catalogue.view.dictionary().FindIri(type.iri);
+  if (!term || !IsPlace(catalogue, *term)) {
+    throw Error(Code::kInvalid, "'" + type.label + "' is no kind of place")
+        .WithHint("a type is a class of places, such as Kitchen, HospitalRoom or Home");
+  }
+  return type.iri;
+}
+
+// Whether anything of the top layer is a map, a place or a perception of one.
+bool DescribesPlace(const rdf::View& view, const CatalogueState& catalogue) {
+  const rdf::TermId type = view.dictionary().InternIri(std::string(rdf::kRdf) + "type");
+  std::vector<rdf::TermId> kinds;
+  for (const char* kind : {"Map", "SemanticEnvironmentMap", "SemanticMapPerception"}) {
+    kinds.push_back(view.dictionary().InternIri(std::string(rdf::kLares) + kind));
+  }
+  for (const rdf::Triple& triple : view.layers().back()->Range({{}, type, {}})) {
+    const bool is_map = std::find(kinds.begin(), kinds.end(), triple.object) != kinds.end();
+    if (is_map || IsPlace(catalogue, triple.object)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Knowledge::VersionAnswer Knowledge::PutVersion(const store::NewVersion& original) {
   store::NewVersion version = original;
   VersionAnswer answer;
-  if (!version.type_iri.empty()) version.type_iri = ResolveClass(version.type_iri).iri;
+  if (!version.type_iri.empty())
+    version.type_iri = PlaceType(*this, *state_->catalogue(), version.type_iri);
   if (const store::LayerInfo* layer = SemanticLayer(version.layers)) {
     // Understood as the version it would become; the view stays in the cache for the first
     // question.
@@ -32,7 +59,12 @@ Knowledge::VersionAnswer Knowledge::PutVersion(const store::NewVersion& original
                          .remarks;
     const rdf::View view = state_->ViewOf({nullptr, nullptr, &draft});
     answer.objects = semantic::ReadMapObjects(view);
+    if (answer.objects.empty() && !DescribesPlace(view, *state_->catalogue())) {
+      throw Error(Code::kInvalid, "is no semantic map: it describes no map, place or object",
+                  {layer->file_name, 0, 0});
+    }
     answer.warnings = DescribeClashes(view);
+    if (answer.objects.empty()) answer.warnings.push_back("the map holds no object");
     for (store::LayerInfo& stored : version.layers) {
       if (stored.name == "semantic") {
         stored.facts["objects"] = std::to_string(answer.objects.size());

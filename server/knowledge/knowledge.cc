@@ -32,24 +32,36 @@ rdf::Document ReadStored(const store::Store& store, const std::string& graph_nam
   rdf::ReadOptions options;
   options.source = file_name;
   options.base_iri = BaseIri(graph_name);
-  options.recover = true;  // it was accepted once; what was repaired then is repaired again
-  return rdf::ReadRdf(bytes, rdf::GuessFormat(media_type, file_name, bytes), options);
+  const rdf::Format format = rdf::GuessFormat(media_type, file_name, bytes);
+  try {
+    return rdf::ReadRdf(bytes, format, options);
+  } catch (const Error&) {
+    if (format != rdf::Format::kRdfXml) throw;
+    options.recover = true;
+    return rdf::ReadRdf(bytes, format, options);
+  }
 }
 
 Knowledge::Knowledge(store::Store& store, prolog::EnginePool& engines)
     : state_(std::make_unique<State>(store, engines)) {
   const std::filesystem::path aliases = FindShared("ontology/aliases.tsv");
   state_->aliases = rdf::AliasTable::FromTsv(ReadFile(aliases), aliases.filename().string());
-  state_->own_graphs = LoadOwnModules(state_->aliases, *state_->dictionary);
+  state_->own =
+      CloseOwnModules(state_->dictionary, LoadOwnModules(state_->aliases, *state_->dictionary));
   std::vector<rdf::Graph> stored;
   for (const store::DocumentInfo& document : store.ListDocuments(store::DocumentKind::kOntology)) {
     const std::string name = GraphName(document.kind, document.id);
-    const rdf::Document content =
-        ReadStored(store, name, document.blob, document.media_type, document.file_name);
-    stored.push_back(rdf::MakeGraph(content, name, state_->aliases, *state_->dictionary));
-    state_->stored_graphs[document.id] = stored.back();
+    try {
+      const rdf::Document content =
+          ReadStored(store, name, document.blob, document.media_type, document.file_name);
+      stored.push_back(rdf::MakeGraph(content, name, state_->aliases, *state_->dictionary));
+      state_->stored_graphs[document.id] = stored.back();
+    } catch (const Error& error) {
+      // One document that cannot be read any more must not keep all others from being served.
+      state_->set_aside.push_back({document.id, "set aside: " + error.FullMessage(), 0});
+    }
   }
-  state_->Publish(MakeCatalogue(state_->dictionary, state_->own_graphs, stored, 1));
+  state_->Publish(MakeCatalogue(state_->own, stored, 1));
 }
 
 Knowledge::~Knowledge() = default;

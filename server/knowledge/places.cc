@@ -15,9 +15,10 @@ namespace {
 
 constexpr char kOwnTable[] = "lares";
 
-std::shared_ptr<const PlaceTables> Split(const places::PriorTable& table, const rdf::View& view) {
+std::shared_ptr<const PlaceTables> Split(const places::PriorTable& table,
+                                         const CatalogueState& catalogue) {
+  const rdf::View& view = catalogue.view;
   const rdf::TermId sub_class = view.dictionary().InternIri(std::string(rdf::kRdfs) + "subClassOf");
-  const rdf::TermId somewhere = view.dictionary().InternIri(std::string(rdf::kLares) + "Place");
   auto tables = std::make_shared<PlaceTables>();
   tables->title = table.title;
   tables->rooms.name = tables->furniture.name = table.name;
@@ -26,7 +27,7 @@ std::shared_ptr<const PlaceTables> Split(const places::PriorTable& table, const 
     // ontology knows is taken for a room, as the tables of rooms in the field have it.
     const auto place = view.dictionary().FindIri(row.place);
     const bool is_known = place && !view.Objects(*place, sub_class).empty();
-    const bool is_room = !is_known || view.Contains({*place, sub_class, somewhere});
+    const bool is_room = !is_known || IsPlace(catalogue, *place);
     (is_room ? tables->rooms : tables->furniture).rows.push_back(row);
   }
   return tables;
@@ -76,11 +77,11 @@ std::shared_ptr<const PlaceTables> Knowledge::FindPrior(const std::string& name)
                                                                   : places::PriorFormat::kTsv;
     tables = Split(places::ReadPrior(state_->store.ReadBlob(document->blob.sha256), format, name,
                                      state_->aliases),
-                   catalogue->view);
+                   *catalogue);
   } else {
     tables = Split(places::ReadPrior(ReadFile(FindShared("ontology/priors/lares.tsv")),
                                      places::PriorFormat::kTsv, kOwnTable, state_->aliases),
-                   catalogue->view);
+                   *catalogue);
   }
   return tables;
 }

@@ -15,15 +15,27 @@ using Match = std::pair<store::DocumentInfo, std::string>;  // document, target
 
 std::string Quoted(const std::string& text) { return "'" + text + "'"; }
 
+// The IRI that the document itself wrote for what `target` names.
+std::string AsWritten(const store::DocumentInfo& document, const std::string& target) {
+  for (const store::DocumentName& name : document.names) {
+    if (name.kind == "iri" && name.target == target && name.text != target) return name.text;
+  }
+  return target;
+}
+
 [[noreturn]] void ThrowAmbiguous(store::DocumentKind kind, const std::string& name,
                                  const std::vector<Match>& matches) {
   std::string list;
+  std::set<std::string> ids;
   for (const auto& [document, target] : matches) {
-    list += "\n  " + document.id + "  <" + target + ">";
+    list += "\n  " + document.id + "  <" + AsWritten(document, target) + ">";
+    ids.insert(document.id);
   }
-  throw Error(Code::kAmbiguous, Quoted(name) + " names " + std::to_string(matches.size()) + " " +
-                                    std::string(store::ToString(kind)) + "s:" + list)
-      .WithHint("give the id or the IRI of the one you mean");
+  throw Error(Code::kAmbiguous, Quoted(name) + " names " + std::to_string(matches.size()) +
+                                    " things among the " + std::string(store::ToString(kind)) +
+                                    "s:" + list)
+      .WithHint(ids.size() > 1 ? "give the id of the one you mean"
+                               : "give the IRI of the one you mean");
 }
 
 [[noreturn]] void ThrowUnknown(const store::Store& store, store::DocumentKind kind,
@@ -44,6 +56,13 @@ std::string Quoted(const std::string& text) { return "'" + text + "'"; }
     error.WithHint("none is stored yet: put one first");
   }
   throw error;
+}
+
+// "knowrob" for a table that has …/knowrob.owl#.
+bool HasNamespace(const rdf::AliasTable& aliases, const std::string& prefix) {
+  return std::any_of(aliases.aliases().begin(), aliases.aliases().end(), [&](const auto& row) {
+    return row.is_namespace && row.alias.ends_with("/" + prefix + ".owl#");
+  });
 }
 
 std::vector<Match> TargetsOf(const store::DocumentInfo& document) {
@@ -83,7 +102,13 @@ recipes::Resource Knowledge::ResolveClass(const std::string& name) {
   const rdf::TermId type = view.dictionary().InternIri(std::string(rdf::kRdf) + "type");
   const rdf::TermId owl_class = view.dictionary().InternIri(std::string(rdf::kOwl) + "Class");
   std::string iri = state_->aliases.Canonical(name);
-  if (name.starts_with("lares:")) iri = std::string(rdf::kLares) + name.substr(6);
+  if (const std::size_t colon = name.find(':'); colon != std::string::npos) {
+    const std::string prefix = name.substr(0, colon);
+    const bool is_ours = prefix == "lares";
+    if (is_ours || HasNamespace(state_->aliases, prefix)) {
+      iri = state_->aliases.Canonical(std::string(rdf::kLares) + name.substr(colon + 1));
+    }
+  }
   for (const std::string& candidate :
        {iri, state_->aliases.Canonical(std::string(rdf::kLares) + name)}) {
     const auto term = view.dictionary().FindIri(candidate);
@@ -94,8 +119,12 @@ recipes::Resource Knowledge::ResolveClass(const std::string& name) {
     std::vector<std::string> known;
     for (const auto& [text, terms] : catalogue->classes_by_name) known.push_back(text);
     Error error(Code::kNotFound, "no class is called " + Quoted(name));
-    const std::vector<std::string> similar = SimilarNames(name, known);
-    if (!similar.empty()) error.WithHint("did you mean " + Join(similar, " or ") + "?");
+    std::vector<std::string> labels;
+    for (const std::string& similar : SimilarNames(name, known)) {
+      const std::string label = view.Label(catalogue->classes_by_name.at(similar).front());
+      if (std::find(labels.begin(), labels.end(), label) == labels.end()) labels.push_back(label);
+    }
+    if (!labels.empty()) error.WithHint("did you mean " + Join(labels, " or ") + "?");
     throw error;
   }
   if (named->second.size() > 1) {

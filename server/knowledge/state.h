@@ -28,7 +28,9 @@ struct Knowledge::State {
   prolog::EnginePool& engines;
   std::shared_ptr<rdf::Dictionary> dictionary = std::make_shared<rdf::Dictionary>();
   rdf::AliasTable aliases;
-  std::vector<rdf::Graph> own_graphs;
+  rdf::View own{dictionary};  // the layer of our own modules
+
+  std::vector<Module> set_aside;  // stored ontology documents that could not be read at start
 
   std::mutex ontology_mutex;                        // one change of the catalogue at a time
   std::map<std::string, rdf::Graph> stored_graphs;  // under ontology_mutex
@@ -67,7 +69,8 @@ std::string EnvironmentGraphName(const std::string& environment);
 // What relative IRIs of a document mean that states no base of its own.
 std::string BaseIri(const std::string& graph_name);
 
-// The document behind a graph, read with what is known of its format.
+// The document behind a graph, read as it was when it was accepted: plainly, or repaired where that
+// was asked for then.
 rdf::Document ReadStored(const store::Store& store, const std::string& graph_name,
                          const store::Blob& blob, const std::string& media_type,
                          const std::string& file_name);
