@@ -37,9 +37,13 @@ int QueryNumber(const http::Request& request, const std::string& name, int other
   return number;
 }
 
-Json Page(const http::Request& request, std::size_t count,
-          const std::function<std::string(std::size_t)>& key,
-          const std::function<Json(std::size_t)>& item) {
+std::string Compact(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+http::Response PageOfTexts(const http::Request& request, std::size_t count,
+                           const std::function<std::string(std::size_t)>& key,
+                           const std::function<std::string(std::size_t)>& item) {
   const auto limit = static_cast<std::size_t>(QueryNumber(request, "limit", 100, 1, 1000));
   std::size_t first = 0;
   if (const auto after = request.Query("after")) {
@@ -50,10 +54,21 @@ Json Page(const http::Request& request, std::size_t count,
     ++first;
   }
   const std::size_t end = std::min(count, first + limit);
-  Json page{{"items", Json::array()}, {"count", count}, {"next", nullptr}};
-  for (std::size_t i = first; i < end; ++i) page["items"].push_back(item(i));
-  if (end < count && end > first) page["next"] = key(end - 1);
-  return page;
+  std::string text = "{\"items\":[";
+  for (std::size_t i = first; i < end; ++i) text += (i > first ? ",\n" : "\n") + item(i);
+  const bool more = end < count && end > first;
+  text += "\n],\"count\":" + std::to_string(count) +
+          ",\"next\":" + (more ? Compact(Json(key(end - 1))) : "null") + "}\n";
+  http::Response response;
+  response.headers.Set("Content-Type", "application/json");
+  response.body = std::move(text);
+  return response;
+}
+
+http::Response Page(const http::Request& request, std::size_t count,
+                    const std::function<std::string(std::size_t)>& key,
+                    const std::function<Json(std::size_t)>& item) {
+  return PageOfTexts(request, count, key, [&](std::size_t i) { return Compact(item(i)); });
 }
 
 std::string ContentDisposition(const std::string& file_name) {

@@ -20,11 +20,17 @@ int QueryNumber(const http::Request& request, const std::string& name, int other
                 int most);
 
 // {"items": […], "count": all, "next": key of the next page} of `count` things that are in order:
-// `key(i)` names them, `item(i)` shows them. ?limit= (100, at most 1000) and ?after= (a key) choose
-// the page.
-Json Page(const http::Request& request, std::size_t count,
-          const std::function<std::string(std::size_t)>& key,
-          const std::function<Json(std::size_t)>& item);
+// `key(i)` names them, `item(i)` shows them as JSON text. ?limit= (100, at most 1000) and ?after=
+// (a key) choose the page.
+http::Response PageOfTexts(const http::Request& request, std::size_t count,
+                           const std::function<std::string(std::size_t)>& key,
+                           const std::function<std::string(std::size_t)>& item);
+http::Response Page(const http::Request& request, std::size_t count,
+                    const std::function<std::string(std::size_t)>& key,
+                    const std::function<Json(std::size_t)>& item);
+
+// JSON without line breaks; bytes that are no UTF-8 are replaced.
+std::string Compact(const Json& json);
 
 // A stored blob with ETag, ranges and the name to save it under.
 http::Response BlobAnswer(const store::Store& store, const store::Blob& blob,

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "server/api/text_cache.h"
 #include "server/http/metrics.h"
 #include "server/http/router.h"
 #include "server/knowledge/knowledge.h"
@@ -17,6 +18,7 @@ struct Context {
   store::Store& store;
   server::Knowledge& knowledge;
   std::shared_ptr<http::Metrics> metrics = std::make_shared<http::Metrics>();
+  std::shared_ptr<TextCache> listed = std::make_shared<TextCache>();  // documents in lists
   std::string openapi;  // the document, made once all routes are known
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
 };

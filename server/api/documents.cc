@@ -78,21 +78,31 @@ http::Response GetDocument(const http::Request& request, DocumentKind kind,
   return BlobAnswer(store, document.blob, document.media_type, document.file_name, document.etag());
 }
 
-http::Response ListDocuments(const http::Request& request, DocumentKind kind,
-                             const store::Store& store) {
-  const std::vector<DocumentInfo> documents = store.ListDocuments(kind);
-  return JsonAnswer(Page(
+// Without the details, which can be long; a version never changes, so its text is made once.
+std::string ListedText(const DocumentInfo& document, TextCache& cache) {
+  const std::string key = std::string(store::ToString(document.kind)) + "/" + document.id + "/" +
+                          std::to_string(document.version);
+  return *cache.Get(key, [&] {
+    Json json = ToJson(document);
+    json.erase("details");
+    return Compact(json);
+  });
+}
+
+http::Response ListDocuments(const http::Request& request, DocumentKind kind, Context& context) {
+  const std::vector<DocumentInfo> documents = context.store.ListDocuments(kind);
+  return PageOfTexts(
       request, documents.size(), [&](std::size_t i) { return documents[i].id; },
-      [&](std::size_t i) { return ToJson(documents[i]); }));
+      [&](std::size_t i) { return ListedText(documents[i], *context.listed); });
 }
 
 http::Response ListVersions(const http::Request& request, DocumentKind kind,
                             const store::Store& store) {
   const std::vector<DocumentInfo> versions = store.DocumentLog(kind, request.Param("id"));
   if (versions.empty()) Current(store, kind, request.Param("id"));
-  return JsonAnswer(Page(
+  return Page(
       request, versions.size(), [&](std::size_t i) { return std::to_string(versions[i].version); },
-      [&](std::size_t i) { return ToJson(versions[i]); }));
+      [&](std::size_t i) { return ToJson(versions[i]); });
 }
 
 http::Response DeleteDocument(const http::Request& request, DocumentKind kind, Context& context) {
@@ -187,7 +197,7 @@ void AddDocumentReadRoutes(const DocumentRoutes& routes, http::Router& router, C
               routes.collection,
               "list" + routes.nouns,
               [kind, &context](const http::Request& request) {
-                return ListDocuments(request, kind, context.store);
+                return ListDocuments(request, kind, context);
               },
               {},
               0});

@@ -21,9 +21,9 @@ store::EnvironmentInfo FindEnvironment(const store::Store& store, const std::str
 
 http::Response ListEnvironments(const http::Request& request, const Context& context) {
   const std::vector<store::EnvironmentInfo> environments = context.store.ListEnvironments();
-  return JsonAnswer(Page(
+  return Page(
       request, environments.size(), [&](std::size_t i) { return environments[i].id; },
-      [&](std::size_t i) { return ToJson(environments[i]); }));
+      [&](std::size_t i) { return ToJson(environments[i]); });
 }
 
 http::Response GetEnvironment(const http::Request& request, const Context& context) {
@@ -40,9 +40,9 @@ http::Response ListVersions(const http::Request& request, const Context& context
   const std::string& id = request.Param("id");
   FindEnvironment(context.store, id);
   const std::vector<store::EnvironmentVersion> versions = context.store.Log(id);
-  return JsonAnswer(Page(
+  return Page(
       request, versions.size(), [&](std::size_t i) { return std::to_string(versions[i].number); },
-      [&](std::size_t i) { return ToJson(versions[i]); }));
+      [&](std::size_t i) { return ToJson(versions[i]); });
 }
 
 http::Response GetVersion(const http::Request& request, const Context& context) {
@@ -58,9 +58,9 @@ http::Response ListObjects(const http::Request& request, Context& context) {
       FindVersion(context.store, request.Param("id"), request.Param("number"));
   const std::vector<semantic::MapObject> objects =
       context.knowledge.MapObjects(version.environment, version.number);
-  return JsonAnswer(Page(
+  return Page(
       request, objects.size(), [&](std::size_t i) { return objects[i].iri; },
-      [&](std::size_t i) { return ToJson(objects[i]); }));
+      [&](std::size_t i) { return ToJson(objects[i]); });
 }
 
 }  // namespace

@@ -96,14 +96,14 @@ http::Response PutModel(const http::Request& request, Context& context) {
 http::Response ListModels(const http::Request& request, Context& context) {
   const std::vector<server::ObjectModelInfo> models =
       context.knowledge.ObjectModels(request.Query("class").value_or(""));
-  return JsonAnswer(Page(
+  return Page(
       request, models.size(), [&](std::size_t i) { return models[i].document.id; },
       [&](std::size_t i) {
         Json json = ToJson(models[i].document);
         json["classes"] = nlohmann::json::array();
         for (const auto& of : models[i].classes) json["classes"].push_back(ToJson(of));
         return json;
-      }));
+      });
 }
 
 // One of the files that came with the description.

@@ -16,7 +16,7 @@ constexpr const char* kModules = "/v1/ontology/modules";
 
 http::Response ListModules(const http::Request& request, const Context& context) {
   const std::vector<server::Knowledge::Module> modules = context.knowledge.Modules();
-  return JsonAnswer(Page(
+  return Page(
       request, modules.size(), [&](std::size_t i) { return modules[i].id; },
       [&](std::size_t i) {
         Json json{{"id", modules[i].id},
@@ -26,7 +26,7 @@ http::Response ListModules(const http::Request& request, const Context& context)
             context.store.FindDocument(store::DocumentKind::kOntology, modules[i].id);
         if (document) json["document"] = ToJson(*document);
         return json;
-      }));
+      });
 }
 
 // A module of ours, which is a file and no stored document.
@@ -45,14 +45,14 @@ std::optional<http::Response> BuiltInModule(const std::string& id) {
 
 http::Response ListAliases(const http::Request& request, const Context& context) {
   const std::vector<rdf::Alias>& aliases = context.knowledge.aliases().aliases();
-  return JsonAnswer(Page(
+  return Page(
       request, aliases.size(), [&](std::size_t i) { return aliases[i].alias; },
       [&](std::size_t i) {
         return Json{{"alias", aliases[i].alias},
                     {"canonical", aliases[i].canonical},
                     {"namespace", aliases[i].is_namespace},
                     {"reason", aliases[i].reason}};
-      }));
+      });
 }
 
 Json RelatedClasses(const rdf::View& view, const std::vector<rdf::TermId>& terms,

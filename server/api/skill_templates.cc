@@ -59,9 +59,9 @@ void AddSkillTemplateRoutes(http::Router& router, Context& context) {
               "listSkillTemplates",
               [&context](const http::Request& request) {
                 const std::vector<Template> templates = Templates(context.knowledge.Catalogue());
-                return JsonAnswer(Page(
+                return Page(
                     request, templates.size(), [&](std::size_t i) { return templates[i].iri; },
-                    [&](std::size_t i) { return templates[i].json; }));
+                    [&](std::size_t i) { return templates[i].json; });
               },
               {},
               0});

@@ -20,7 +20,10 @@ TEST_F(ApiTest, ARecipeIsStoredListedReadAndRemoved) {
   EXPECT_EQ(answer["tasks"][0]["form"], "state-machine");
   EXPECT_EQ(answer["warnings"][0]["message"], "'urn:absent' is not in the catalogue");
 
-  EXPECT_EQ(Json(Get("/v1/recipes"))["items"][0]["id"], "search");
+  const auto listed = Json(Get("/v1/recipes"))["items"][0];
+  EXPECT_EQ(listed["id"], "search");
+  EXPECT_EQ(listed["names"][0]["text"], "Label of search");
+  EXPECT_FALSE(listed.contains("details"));
   const auto got = Get("/v1/recipes/search");
   EXPECT_EQ(got.body, kTurtle);
   EXPECT_EQ(got.headers.Get("Content-Type"), "text/turtle");
@@ -117,6 +120,13 @@ TEST_F(ApiTest, ListsArePaged) {
   const auto last = Json(Get("/v1/recipes?limit=2&after=d"));
   EXPECT_EQ(last["items"][0]["id"], "e");
   EXPECT_TRUE(last["next"].is_null());
+}
+
+TEST_F(ApiTest, AListShowsTheNewestVersionAtOnce) {
+  Send("PUT", "/v1/recipes/a", "text/turtle", "one");
+  EXPECT_EQ(Json(Get("/v1/recipes"))["items"][0]["version"], 1);
+  Send("PUT", "/v1/recipes/a", "text/turtle", "two");
+  EXPECT_EQ(Json(Get("/v1/recipes"))["items"][0]["version"], 2);
 }
 
 TEST_F(ApiTest, AnUnknownIdBringsSimilarOnes) {
