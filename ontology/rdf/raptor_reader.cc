@@ -335,15 +335,33 @@ Document ReadWellFormed(std::string_view bytes, const ReadOptions& options) {
   return document;
 }
 
+// Raptor reads past misplaced rdf:resource and drops what stands beside it; a document is loaded
+// whole or not at all.
+void RefuseWhatRaptorDrops(std::string_view bytes, const ReadOptions& options) {
+  RepairedXml repaired;
+  try {
+    repaired = RepairXml(bytes, options);
+  } catch (const Error& error) {
+    if (error.code() == Code::kUnsupported) return;  // an encoding that is not looked into
+    throw;
+  }
+  if (repaired.repairs.empty()) return;
+  const RepairedXml::Repair& first = repaired.repairs.front();
+  throw Error(Code::kInvalid, first.fault, first.place).WithHint("it can be repaired: --recover");
+}
+
 }  // namespace
 
 Document ReadRdfXml(std::string_view bytes, const ReadOptions& options) {
   if (!options.recover) {
+    Document document;
     try {
-      return ReadWellFormed(bytes, options);
+      document = ReadWellFormed(bytes, options);
     } catch (const Error& error) {
       throw ExplainXmlError(error, bytes, options);
     }
+    RefuseWhatRaptorDrops(bytes, options);
+    return document;
   }
   const RepairedXml repaired = RepairXml(bytes, options);
   try {

@@ -104,7 +104,11 @@ rdf::View Knowledge::State::ViewOf(const Stack& stack) {
 
 const rdf::AliasTable& Knowledge::aliases() const { return state_->aliases; }
 
-std::vector<Knowledge::Module> Knowledge::Modules() const { return state_->catalogue()->modules; }
+std::vector<Knowledge::Module> Knowledge::Modules() const {
+  std::vector<Module> modules = state_->catalogue()->modules;
+  modules.insert(modules.end(), state_->set_aside.begin(), state_->set_aside.end());
+  return modules;
+}
 
 rdf::View Knowledge::Catalogue() const { return state_->catalogue()->view; }
 

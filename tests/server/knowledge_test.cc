@@ -25,6 +25,21 @@ Code CodeOf(const std::function<void()>& work) {
   return Code::kInternal;
 }
 
+std::string CupMap(const std::string& extra) {
+  return std::string(kPrefixes) +
+         ":map a lares:SemanticEnvironmentMap .\n"
+         ":cup1 a lares:Cup ; lares:describedInMap :map .\n"
+         ":seen a lares:SemanticMapPerception ; lares:objectActedOn :cup1 ; lares:eventOccursAt "
+         ":pose ; "
+         "lares:startTime :timepoint_1700000000 .\n"
+         ":pose a lares:RotationMatrix3D ; lares:m00 1.0 ; lares:m01 0.0 ; lares:m02 0.0 ; "
+         "lares:m03 " +
+         extra +
+         " ; lares:m10 0.0 ; lares:m11 1.0 ; lares:m12 0.0 ; lares:m13 2.0 ; lares:m20 0.0 ; "
+         "lares:m21 0.0 ; lares:m22 1.0 ; lares:m23 0.8 ; lares:m30 0.0 ; lares:m31 0.0 ; "
+         "lares:m32 0.0 ; lares:m33 1.0 .\n";
+}
+
 TEST_F(KnowledgeTest, OwnModulesLoadWithoutContradiction) {
   EXPECT_GT(knowledge_->counts().asserted, 1000U);
   EXPECT_EQ(knowledge_->counts().clashes, 0U);
@@ -91,6 +106,70 @@ TEST_F(KnowledgeTest, ARefusedRecipeLeavesNothingAndNamesAPlace) {
   EXPECT_TRUE(store_->ListDocuments(DocumentKind::kRecipe).empty());
 }
 
+constexpr char kTextBesideResource[] =
+    "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" "
+    "xmlns:rdfs=\"http://www.w3.org/2000/01/rdf-schema#\">\n"
+    "<rdf:Description rdf:about=\"http://example.org/a\"><rdfs:label "
+    "rdf:resource=\"http://example.org/x\">stop</rdfs:label></rdf:Description></rdf:RDF>\n";
+
+TEST_F(KnowledgeTest, WhatWasAcceptedNeverKeepsTheServerFromStarting) {
+  try {
+    Put(DocumentKind::kOntology, "odd", kTextBesideResource, "odd.owl");
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Code::kInvalid);
+  }
+  EXPECT_NO_THROW(Open());
+}
+
+TEST_F(KnowledgeTest, AStoredDocumentThatCannotBeReadIsSetAsideAndNamed) {
+  store_->PutDocument(
+      {DocumentKind::kOntology, "torn", "text/turtle", "torn.ttl", "<a> <b> ", "{}", {}, ""});
+  Open();
+  const auto modules = knowledge_->Modules();
+  const auto torn = std::find_if(modules.begin(), modules.end(),
+                                 [](const auto& module) { return module.id == "torn"; });
+  ASSERT_NE(torn, modules.end());
+  EXPECT_THAT(torn->origin, HasSubstr("torn.ttl:1"));
+}
+
+TEST_F(KnowledgeTest, AnotherOntologysNotionOfAPlaceMakesNoCupboardARoom) {
+  const auto rooms_of = [&] {
+    std::vector<std::string> names;
+    for (const auto& room : knowledge_->Where({"Cup", "", "", 0}).rooms)
+      names.push_back(room.place.iri);
+    return names;
+  };
+  const auto before = rooms_of();
+  Put(DocumentKind::kOntology, "containers",
+      std::string(kPrefixes) + "lares:Cupboard a owl:Class ; rdfs:subClassOf lares:Place .\n");
+  EXPECT_EQ(rooms_of(), before);
+}
+
+TEST_F(KnowledgeTest, ATypeThatIsNoPlaceIsRefused) {
+  store::NewVersion version;
+  version.environment = "x";
+  version.type_iri = "Cup";
+  version.layers.push_back({"semantic", "m.ttl", "", PutBlob(CupMap("1.0")), {}});
+  EXPECT_EQ(CodeOf([&] { knowledge_->PutVersion(version); }), Code::kInvalid);
+  version.type_iri = "Kitchen";
+  EXPECT_EQ(knowledge_->PutVersion(version).version.number, 1);
+}
+
+TEST_F(KnowledgeTest, ADocumentThatIsNoMapIsNoSemanticLayer) {
+  EXPECT_EQ(CodeOf([&] { PutMap("flat", WalkRecipe("Walk", 2)); }), Code::kInvalid);
+  const auto empty =
+      PutMap("flat", std::string(kPrefixes) + ":m a lares:SemanticEnvironmentMap .\n");
+  EXPECT_THAT(empty.warnings, ::testing::Contains(HasSubstr("no object")));
+}
+
+TEST_F(KnowledgeTest, AContradictionIsToldAsASentence) {
+  const auto answer = Put(DocumentKind::kRobot, "rover",
+                          BaseOnlyRobot("rover") +
+                              ":Cat a owl:Class ; owl:disjointWith lares:MobileBase .\n"
+                              ":rover_base a :Cat .\n");
+  EXPECT_THAT(answer.warnings, ::testing::Contains(HasSubstr("which exclude each other")));
+}
+
 TEST_F(KnowledgeTest, RelativeIrisOfADocumentWithoutBaseBelongToTheDocument) {
   std::string recipe = WalkRecipe("Walk", 1);
   recipe += "<> a owl:Ontology . <#Patrol> a owl:Class ; rdfs:subClassOf :Walk .\n";
@@ -140,21 +219,6 @@ TEST_F(KnowledgeTest, AnOntologyDocumentChangesAnswersUntilItIsRemoved) {
   EXPECT_EQ(knowledge_->ResolveClass("gobbet").iri, "http://example.org/test#Gobbet");
   knowledge_->Remove(DocumentKind::kOntology, "gobbets");
   EXPECT_EQ(CodeOf([&] { knowledge_->ResolveClass("Gobbet"); }), Code::kNotFound);
-}
-
-std::string CupMap(const std::string& extra) {
-  return std::string(kPrefixes) +
-         ":map a lares:SemanticEnvironmentMap .\n"
-         ":cup1 a lares:Cup ; lares:describedInMap :map .\n"
-         ":seen a lares:SemanticMapPerception ; lares:objectActedOn :cup1 ; lares:eventOccursAt "
-         ":pose ; "
-         "lares:startTime :timepoint_1700000000 .\n"
-         ":pose a lares:RotationMatrix3D ; lares:m00 1.0 ; lares:m01 0.0 ; lares:m02 0.0 ; "
-         "lares:m03 " +
-         extra +
-         " ; lares:m10 0.0 ; lares:m11 1.0 ; lares:m12 0.0 ; lares:m13 2.0 ; lares:m20 0.0 ; "
-         "lares:m21 0.0 ; lares:m22 1.0 ; lares:m23 0.8 ; lares:m30 0.0 ; lares:m31 0.0 ; "
-         "lares:m32 0.0 ; lares:m33 1.0 .\n";
 }
 
 TEST_F(KnowledgeTest, TwoEnvironmentsUnderTheSameIrisNeverMeet) {
