@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <string>
 #include <string_view>
 
 #include "ontology/rdf/document.h"
@@ -11,6 +13,9 @@ namespace lares::rdf {
 struct ReadOptions {
   std::string source;    // file name or id for error places
   std::string base_iri;  // for relative IRIs where the document states no base
+  // Namespaces that `recover` may take an undeclared entity for, beside rdf, rdfs, owl, xsd and the
+  // document's own prefixes: prefix → IRI.
+  std::map<std::string, std::string> known_namespaces;
   bool recover = false;  // repair the known faults of RDF/XML, listing each as a remark
   std::size_t max_bytes = 256u << 20;  // of the document
   std::size_t max_statements = 20'000'000;

@@ -46,7 +46,12 @@ std::string Escaped(std::string_view text) {
 class Repairer {
  public:
   Repairer(std::string_view text, const ReadOptions& options)
-      : text_(text), options_(options), declared_(CollectDeclarations(text)) {}
+      : text_(text), options_(options), declared_(CollectDeclarations(text)) {
+    // A binding that itself needs the entity (xmlns:p="&p;") expands to nothing and is not there.
+    for (const auto& [prefix, space] : options.known_namespaces) {
+      declared_.prefixes.emplace(prefix, space);
+    }
+  }
   RepairedXml Run();
 
  private:

@@ -237,9 +237,8 @@ PutAnswer Knowledge::Put(const PutRequest& original) {
   }
   const rdf::Format format = rdf::GuessFormat(request.media_type, request.file_name, request.bytes);
   request.media_type = rdf::MediaType(format);
-  rdf::ReadOptions options;
-  options.source = request.file_name;
-  options.base_iri = BaseIri(GraphName(request.kind, request.id));
+  rdf::ReadOptions options =
+      OptionsFor(GraphName(request.kind, request.id), request.file_name, state_->aliases);
   options.recover = request.recover;
   Incoming incoming{request,
                     request.file_name,

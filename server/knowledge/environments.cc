@@ -54,9 +54,10 @@ Knowledge::VersionAnswer Knowledge::PutVersion(const store::NewVersion& original
     store::EnvironmentVersion draft;
     draft.environment = version.environment;
     draft.layers = {*layer};
-    answer.remarks = ReadStored(state_->store, EnvironmentGraphName(version.environment),
-                                layer->blob, layer->media_type, layer->file_name)
-                         .remarks;
+    answer.remarks =
+        ReadStored(state_->store, state_->aliases, EnvironmentGraphName(version.environment),
+                   layer->blob, layer->media_type, layer->file_name)
+            .remarks;
     const rdf::View view = state_->ViewOf({nullptr, nullptr, &draft});
     answer.objects = semantic::ReadMapObjects(view);
     if (answer.objects.empty() && !DescribesPlace(view, *state_->catalogue())) {
@@ -83,8 +84,8 @@ std::string Knowledge::RenderSemantic(const std::string& environment, int versio
     throw Error(Code::kNotFound, "version " + std::to_string(stored.number) + " of '" +
                                      environment + "' has no semantic layer");
   }
-  return rdf::WriteRdf(ReadStored(state_->store, EnvironmentGraphName(environment), layer->blob,
-                                  layer->media_type, layer->file_name),
+  return rdf::WriteRdf(ReadStored(state_->store, state_->aliases, EnvironmentGraphName(environment),
+                                  layer->blob, layer->media_type, layer->file_name),
                        format);
 }
 

@@ -19,19 +19,31 @@ std::string EnvironmentGraphName(const std::string& environment) {
   return "environment:" + environment;
 }
 
-std::string BaseIri(const std::string& graph_name) {
+rdf::ReadOptions OptionsFor(const std::string& graph_name, const std::string& source,
+                            const rdf::AliasTable& aliases) {
+  rdf::ReadOptions options;
+  options.source = source;
+  // What relative IRIs mean in a document that states no base of its own.
   std::string path = graph_name;
   std::replace(path.begin(), path.end(), ':', '/');
-  return "https://w3id.org/lares/documents/" + path;
+  options.base_iri = "https://w3id.org/lares/documents/" + path;
+  constexpr std::string_view kFile = ".owl#";
+  for (const rdf::Alias& row : aliases.aliases()) {
+    if (!row.is_namespace || !row.alias.ends_with(kFile)) continue;
+    const std::size_t slash = row.alias.rfind('/');
+    std::string stem = row.alias.substr(slash + 1, row.alias.size() - kFile.size() - slash - 1);
+    options.known_namespaces.emplace(stem, row.alias);
+    std::erase(stem, '-');  // srdl2-comp is written &srdl2comp; too
+    options.known_namespaces.emplace(stem, row.alias);
+  }
+  return options;
 }
 
-rdf::Document ReadStored(const store::Store& store, const std::string& graph_name,
-                         const store::Blob& blob, const std::string& media_type,
-                         const std::string& file_name) {
+rdf::Document ReadStored(const store::Store& store, const rdf::AliasTable& aliases,
+                         const std::string& graph_name, const store::Blob& blob,
+                         const std::string& media_type, const std::string& file_name) {
   const std::string bytes = store.ReadBlob(blob.sha256);
-  rdf::ReadOptions options;
-  options.source = file_name;
-  options.base_iri = BaseIri(graph_name);
+  rdf::ReadOptions options = OptionsFor(graph_name, file_name, aliases);
   const rdf::Format format = rdf::GuessFormat(media_type, file_name, bytes);
   try {
     return rdf::ReadRdf(bytes, format, options);
@@ -52,8 +64,8 @@ Knowledge::Knowledge(store::Store& store, prolog::EnginePool& engines)
   for (const store::DocumentInfo& document : store.ListDocuments(store::DocumentKind::kOntology)) {
     const std::string name = GraphName(document.kind, document.id);
     try {
-      const rdf::Document content =
-          ReadStored(store, name, document.blob, document.media_type, document.file_name);
+      const rdf::Document content = ReadStored(store, state_->aliases, name, document.blob,
+                                               document.media_type, document.file_name);
       stored.push_back(rdf::MakeGraph(content, name, state_->aliases, *state_->dictionary));
       state_->stored_graphs[document.id] = stored.back();
     } catch (const Error& error) {
@@ -70,8 +82,8 @@ rdf::View Knowledge::State::Over(const rdf::View& below, const std::string& key,
                                  const std::string& graph_name,
                                  const store::DocumentInfo& document) {
   return views.GetOrMake(key, [&] {
-    const rdf::Document content =
-        ReadStored(store, graph_name, document.blob, document.media_type, document.file_name);
+    const rdf::Document content = ReadStored(store, aliases, graph_name, document.blob,
+                                             document.media_type, document.file_name);
     return below.With(
         owl::Materialise(below, {rdf::MakeGraph(content, graph_name, aliases, *dictionary)}));
   });

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "ontology/rdf/reader.h"
 #include "server/knowledge/catalogue.h"
 #include "server/knowledge/view_cache.h"
 
@@ -66,13 +67,14 @@ struct Knowledge::State {
 std::string GraphName(store::DocumentKind kind, const std::string& id);
 std::string EnvironmentGraphName(const std::string& environment);
 
-// What relative IRIs of a document mean that states no base of its own.
-std::string BaseIri(const std::string& graph_name);
+// What a document of this graph is read with: its base, and the namespaces that Lares knows.
+rdf::ReadOptions OptionsFor(const std::string& graph_name, const std::string& source,
+                            const rdf::AliasTable& aliases);
 
 // The document behind a graph, read as it was when it was accepted: plainly, or repaired where that
 // was asked for then.
-rdf::Document ReadStored(const store::Store& store, const std::string& graph_name,
-                         const store::Blob& blob, const std::string& media_type,
-                         const std::string& file_name);
+rdf::Document ReadStored(const store::Store& store, const rdf::AliasTable& aliases,
+                         const std::string& graph_name, const store::Blob& blob,
+                         const std::string& media_type, const std::string& file_name);
 
 }  // namespace lares::server

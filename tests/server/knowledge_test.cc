@@ -112,6 +112,23 @@ constexpr char kTextBesideResource[] =
     "<rdf:Description rdf:about=\"http://example.org/a\"><rdfs:label "
     "rdf:resource=\"http://example.org/x\">stop</rdfs:label></rdf:Description></rdf:RDF>\n";
 
+TEST_F(KnowledgeTest, AnUndeclaredEntityOfAKnownNamespaceIsRepairedOnRequestAndStaysReadable) {
+  server::PutRequest request;
+  request.kind = DocumentKind::kRobot;
+  request.file_name = "rover.owl";
+  request.bytes =
+      "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" "
+      "xmlns:knowrob=\"&knowrob;\">\n"
+      "<knowrob:Robot rdf:about=\"http://example.org/rover\"/>\n</rdf:RDF>\n";
+  EXPECT_EQ(CodeOf([&] { knowledge_->Put(request); }), Code::kInvalid);
+  request.recover = true;
+  const auto answer = knowledge_->Put(request);
+  ASSERT_EQ(answer.remarks.size(), 1U);
+  EXPECT_EQ(answer.remarks[0].kind, rdf::Remark::Kind::kRepair);
+  Put(DocumentKind::kRecipe, "walk", WalkRecipe("Walk", 1));
+  EXPECT_FALSE(knowledge_->MakePlan({"walk", "rover"}).result.match.feasible);
+}
+
 TEST_F(KnowledgeTest, WhatWasAcceptedNeverKeepsTheServerFromStarting) {
   try {
     Put(DocumentKind::kOntology, "odd", kTextBesideResource, "odd.owl");
