@@ -34,6 +34,7 @@ std::string AsWritten(const store::DocumentInfo& document, const std::string& ta
   throw Error(Code::kAmbiguous, Quoted(name) + " names " + std::to_string(matches.size()) +
                                     " things among the " + std::string(store::ToString(kind)) +
                                     "s:" + list)
+      .WithCandidates({ids.begin(), ids.end()})
       .WithHint(ids.size() > 1 ? "give the id of the one you mean"
                                : "give the IRI of the one you mean");
 }
@@ -51,7 +52,7 @@ std::string AsWritten(const store::DocumentInfo& document, const std::string& ta
               "no " + std::string(store::ToString(kind)) + " is called " + Quoted(name));
   const std::vector<std::string> similar = SimilarNames(name, known);
   if (!similar.empty()) {
-    error.WithHint("did you mean " + Join(similar, " or ") + "?");
+    error.WithCandidates(similar).WithHint("did you mean " + Join(similar, " or ") + "?");
   } else if (known.empty()) {
     error.WithHint("none is stored yet: put one first");
   }
@@ -124,7 +125,8 @@ recipes::Resource Knowledge::ResolveClass(const std::string& name) {
       const std::string label = view.Label(catalogue->classes_by_name.at(similar).front());
       if (std::find(labels.begin(), labels.end(), label) == labels.end()) labels.push_back(label);
     }
-    if (!labels.empty()) error.WithHint("did you mean " + Join(labels, " or ") + "?");
+    if (!labels.empty())
+      error.WithCandidates(labels).WithHint("did you mean " + Join(labels, " or ") + "?");
     throw error;
   }
   if (named->second.size() > 1) {

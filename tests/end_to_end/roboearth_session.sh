@@ -53,8 +53,25 @@ has "hospital-room"
 expect 0 lares environment log hospital-room
 has "semantic" "octomap"
 
+for object in Cup Bottle Milk; do lares where "$object"; done >"$work/places-before"
 for file in "$data"/ontology/*.owl "$data"/srdl/*.owl; do expect 0 lares ontology put "$file"; done
 golden
+for object in Cup Bottle Milk; do lares where "$object"; done >"$work/places-after"
+checks=$((checks + 1))
+cmp "$work/places-before" "$work/places-after" ||
+  { failures=$((failures + 1)); echo "FAILED: another ontology changed our table's answers"; }
+expect 0 lares where Cup --prior omics
+has "72.8" "16.1"
+expect 3 lares ontology put "$LARES_DATA/soma/SOMA-HOME.owl"
+has "functional syntax"
+for map in "$data"/maps/*.owl; do
+  name="$(basename "$map" .owl)"
+  expect 0 lares environment put "$name" --layer "semantic=$map"
+done
+expect 0 lares where Bed --environment ias_hospital_room_with_objects
+has "seen"
+expect 0 lares where Cabinet --environment ias_hospital_room
+has "seen" "cabinet1"
 stop_server
 start_server # what was acknowledged is still there
 expect 0 lares plan FindBottle --robot PR2 --environment hospital-room
