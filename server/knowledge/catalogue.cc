@@ -62,9 +62,10 @@ rdf::View CloseOwnModules(const std::shared_ptr<rdf::Dictionary>& dictionary,
 std::shared_ptr<const CatalogueState> MakeCatalogue(const rdf::View& own,
                                                     const std::vector<rdf::Graph>& stored,
                                                     std::uint64_t generation) {
-  auto catalogue = std::make_shared<CatalogueState>(CatalogueState{own, generation, {}, {}});
+  auto catalogue = std::make_shared<CatalogueState>(CatalogueState{own, generation, 0, {}, {}});
   if (!stored.empty()) catalogue->view = own.With(owl::Materialise(own, stored));
   for (const auto& layer : catalogue->view.layers()) {
+    catalogue->inferred += CountInferred(*layer);
     const bool is_own = layer == own.layers().front();
     for (const rdf::Graph& graph : layer->graphs()) {
       catalogue->modules.push_back({graph.name.substr(graph.name.find(':') + 1),
@@ -73,6 +74,13 @@ std::shared_ptr<const CatalogueState> MakeCatalogue(const rdf::View& own,
   }
   IndexClasses(*catalogue);
   return catalogue;
+}
+
+std::size_t CountInferred(const rdf::Layer& layer) {
+  const std::span<const rdf::Triple> all = layer.Range({});
+  return static_cast<std::size_t>(
+      std::count_if(all.begin(), all.end(),
+                    [&](const rdf::Triple& triple) { return !layer.IsAsserted(triple); }));
 }
 
 bool IsPlace(const CatalogueState& catalogue, rdf::TermId kind) {

@@ -19,6 +19,7 @@ namespace lares::server {
 struct CatalogueState {
   rdf::View view;  // the own modules' layer below, that of the stored documents above it
   std::uint64_t generation = 0;
+  std::size_t inferred = 0;
   std::vector<Knowledge::Module> modules;
   // Lower-case local name or label of a class → the classes.
   std::unordered_map<std::string, std::vector<rdf::TermId>> classes_by_name;
@@ -35,6 +36,9 @@ rdf::View CloseOwnModules(const std::shared_ptr<rdf::Dictionary>& dictionary,
 std::shared_ptr<const CatalogueState> MakeCatalogue(const rdf::View& own,
                                                     const std::vector<rdf::Graph>& stored,
                                                     std::uint64_t generation);
+
+// The triples of a layer that no document asserts. Linear.
+std::size_t CountInferred(const rdf::Layer& layer);
 
 // Whether a class is one of places: as our own modules have it where they know the class (KnowRob
 // calls every container a place), as the whole catalogue has it otherwise.

@@ -259,7 +259,7 @@ PutAnswer Knowledge::Put(const PutRequest& original) {
   const auto base = state_->catalogue();
   incoming.view = base->view.With(owl::Materialise(base->view, {incoming.graph}));
   const auto& layer = *incoming.view.layers().back();
-  incoming.answer.inferred = layer.size() - layer.asserted_size();
+  incoming.answer.inferred = CountInferred(layer);
   incoming.answer.warnings = AbsentImports(incoming.content, base->modules, state_->aliases);
   for (std::string& clash : DescribeClashes(incoming.view)) {
     incoming.answer.warnings.push_back(std::move(clash));
@@ -297,7 +297,7 @@ PutAnswer Knowledge::PutOntology(const PutRequest& request, const rdf::Graph& gr
   incoming.answer.remarks = content.remarks;
   incoming.answer.statements = graph.triples.size();
   const auto& layer = *catalogue->view.layers().back();
-  incoming.answer.inferred = layer.size() - layer.asserted_size();
+  incoming.answer.inferred = CountInferred(layer);
   incoming.answer.warnings = AbsentImports(content, catalogue->modules, state_->aliases);
   for (std::string& clash : DescribeClashes(catalogue->view)) {
     incoming.answer.warnings.push_back(std::move(clash));

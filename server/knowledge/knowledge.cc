@@ -129,10 +129,10 @@ Knowledge::Counts Knowledge::counts() const {
   Counts counts;
   counts.terms = state_->dictionary->size();
   counts.views_cached = state_->views.size();
+  counts.inferred = catalogue->inferred;
   for (const auto& layer : catalogue->view.layers()) {
     counts.asserted += layer->asserted_size();
-    counts.inferred += layer->size() - layer->asserted_size();
-    counts.clashes += layer->clashes().size();
+    counts.clashes += layer->clash_count();
   }
   return counts;
 }

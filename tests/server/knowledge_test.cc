@@ -129,6 +129,14 @@ TEST_F(KnowledgeTest, AnUndeclaredEntityOfAKnownNamespaceIsRepairedOnRequestAndS
   EXPECT_FALSE(knowledge_->MakePlan({"walk", "rover"}).result.match.feasible);
 }
 
+TEST_F(KnowledgeTest, RepeatingWhatIsKnownInfersNothing) {
+  const auto answer =
+      Put(DocumentKind::kOntology, "echo",
+          std::string(kPrefixes) + "lares:Cup rdfs:subClassOf lares:DrinkingVessel .\n");
+  EXPECT_EQ(answer.statements, 1U);
+  EXPECT_EQ(answer.inferred, 0U);
+}
+
 TEST_F(KnowledgeTest, WhatWasAcceptedNeverKeepsTheServerFromStarting) {
   try {
     Put(DocumentKind::kOntology, "odd", kTextBesideResource, "odd.owl");
