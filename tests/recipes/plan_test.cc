@@ -221,6 +221,27 @@ TEST(Plan, AnActionWithoutATemplateIsAProblem) {
               ElementsAre(AllOf(HasSubstr("'a'"), HasSubstr("no skill template"))));
 }
 
+TEST(Plan, AResultThatNoTemplateHasIsNamed) {
+  const auto result = Make(
+      StateMachine({{"a", kGo}, {"b", kGo}}, "a", {"b"}, {{"a", "CONDITION_TRUE", "b"}}) + kHere);
+  EXPECT_FALSE(result.plan);
+  EXPECT_THAT(result.problems,
+              ElementsAre(AllOf(HasSubstr("no skill template for 'a'"),
+                                HasSubstr("an outcome that means"), HasSubstr("CONDITION_TRUE>"))));
+}
+
+TEST(Plan, AValueThatOneWayDoesNotCreateIsAProblem) {
+  const auto result =
+      Make(StateMachine({{"look", kLook}, {"infer", kInfer}, {"next", kNext}}, "look", {"next"},
+                        {{"look", "CONDITION_TRUE", "infer"},
+                         {"look", "CONDITION_FALSE", "next"},
+                         {"infer", "COMPLETED_OK", "next"}}));
+  EXPECT_FALSE(result.plan);
+  EXPECT_THAT(result.problems,
+              ElementsAre(AllOf(HasSubstr("'candidate_poses' of 'next' uses 'poses'"),
+                                HasSubstr("on the way look → next"))));
+}
+
 TEST(Plan, AnInputThatNothingSaysIsAProblem) {
   const auto result = Make(PartialOrder({{"a", "lares:Translation-LocationChange"}}, {}));
   EXPECT_FALSE(result.plan);

@@ -110,7 +110,7 @@ TEST(Recipe, TwoWaysOnForOneResultAreRefused) {
 TEST(Recipe, AnUnknownActionIsRefused) {
   const auto problem = HasSubstr("'b' <https://example.org/test#b> is of an unknown kind");
   EXPECT_THAT(Problems(PartialOrder({{"a", kGo}, {"b", ":Juggling"}}, {{"a", "b"}})),
-              ElementsAre(problem));
+              ElementsAre(AllOf(problem, HasSubstr("a task of another document"))));
   EXPECT_THAT(Problems(PartialOrder({{"a", kGo}, {"b", ":Juggling"}}, {{"a", "b"}}) +
                        ":Juggling rdfs:subClassOf lares:Action .\n"),
               ElementsAre(problem))
@@ -146,6 +146,48 @@ TEST(Recipe, ACycleThatCannotEndIsRefused) {
                              {"b", "COMPLETED_OK", "c"},
                              {"c", "COMPLETED_OK", "b"}})),
       ElementsAre(AllOf(HasSubstr("from the cycle"), HasSubstr("'b'"), HasSubstr("'c'"))));
+}
+
+TEST(Recipe, ACycleWhoseStatedEndAlwaysLeadsOnIsRefused) {
+  const std::string machine =
+      StateMachine({{"a", kGo}, {"b", "lares:OpeningAGripper"}}, "a", {"b"},
+                   {{"a", "COMPLETED_OK", "b"}, {"b", "COMPLETED_OK", "a"}});
+  EXPECT_THAT(Problems(machine), ElementsAre(HasSubstr("can be reached from the cycle 'a'")));
+  EXPECT_THAT(Tasks(machine).front().warnings, ElementsAre(HasSubstr("'b' <")));
+  EXPECT_THAT(Problems(StateMachine({{"a", kGo}, {"b", kLook}}, "a", {"b"},
+                                    {{"a", "COMPLETED_OK", "b"},
+                                     {"b", "CONDITION_TRUE", "a"},
+                                     {"b", "CONDITION_FALSE", "a"}})),
+              ElementsAre(HasSubstr("from the cycle")));
+  EXPECT_THAT(Problems(StateMachine({{"a", kGo}, {"b", "lares:OpeningAGripper"}}, "a", {"b"},
+                                    {{"a", "COMPLETED_OK", "b"}, {"b", "COMPLETED_FAILED", "a"}})),
+              IsEmpty())
+      << "a second attempt";
+}
+
+TEST(Recipe, AStatedEndThatIsARecipeAndLeadsOnIsNoEnd) {
+  const std::string inner = "lares:PurposefulAction , " + Some("lares:subAction", ":go");
+  const std::string go = ":go rdfs:subClassOf " + kGo + " .\n";
+  EXPECT_THAT(Problems(StateMachine({{"a", kGo}, {"b", inner}}, "a", {"b"},
+                                    {{"a", "COMPLETED_OK", "b"}, {"b", "COMPLETED_OK", "a"}}) +
+                       go),
+              ElementsAre(HasSubstr("from the cycle")));
+  EXPECT_THAT(Problems(StateMachine({{"a", kGo}, {"b", inner}}, "a", {"b"},
+                                    {{"a", "COMPLETED_OK", "b"}, {"b", "COMPLETED_FAILED", "a"}}) +
+                       go),
+              IsEmpty());
+}
+
+TEST(Recipe, AResultThatTheCatalogueDoesNotKnowIsRefused) {
+  const std::string machine =
+      StateMachine({{"a", kLook}, {"b", kGo}}, "a", {"b"}, {{"a", "CONDITION_TRU", "b"}});
+  const auto problem =
+      AllOf(HasSubstr("'move0' <https://example.org/test#move0> is caused by 'CONDITION_TRU'"),
+            HasSubstr("lares#CONDITION_TRUE>"), HasSubstr("lares#EXHAUSTED>"));
+  EXPECT_THAT(Problems(machine), ElementsAre(problem));
+  EXPECT_THAT(Problems(machine + "lares:CONDITION_TRU a lares:ActionResult .\n"),
+              ElementsAre(problem))
+      << "a result that only this document knows";
 }
 
 TEST(Recipe, ACycleThatASkillCanRunOutOfIsAccepted) {
