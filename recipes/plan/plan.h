@@ -112,7 +112,7 @@ std::vector<Task> FindTasks(prolog::EnginePool& engines, const rdf::View& view,
 
 // The robots (individuals) that `robot_graph` (a graph of `view`) describes.
 // Throws kInvalid for a body that cannot be: joints in a circle (as asserted), matrix entries that
-// are no finite numbers; each named.
+// are no finite numbers, missing or given twice, matrices that turn nothing rightly; each named.
 std::vector<Resource> FindRobots(prolog::EnginePool& engines, const rdf::View& view,
                                  const std::string& robot_graph);
 

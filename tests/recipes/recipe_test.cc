@@ -269,5 +269,35 @@ TEST(Robot, AMatrixEntryThatIsNoFiniteNumberIsNamed) {
   EXPECT_EQ(FaultOf(Body(":m lares:m12 \"-1.5E-3\"^^xsd:double .\n")), "");
 }
 
+// A matrix whose rows are given; the last row need not be.
+std::string Matrix(const std::string& rows) {
+  return ":m a lares:RotationMatrix3D ; " + rows + " .\n";
+}
+
+TEST(Robot, AMatrixThatIsNoPoseIsNamed) {
+  const std::string x = "lares:m00 0.0 ; lares:m01 -1.0 ; lares:m02 0.0 ; lares:m03 2.0 ; ";
+  const std::string y = "lares:m10 1.0 ; lares:m11 0.0 ; lares:m12 0.0 ; lares:m13 2.0 ; ";
+  const std::string z = "lares:m20 0.0 ; lares:m21 0.0 ; lares:m22 1.0 ; lares:m23 0.5";
+  const auto matrix = HasSubstr("matrix 'm' <https://example.org/test#m>");
+  EXPECT_EQ(FaultOf(Body(Matrix(x + y + z))), "");
+  EXPECT_EQ(FaultOf(Body(Matrix(x + y + z + " ; lares:m22 1.004 ; lares:m22 1.0") +
+                         ":n a lares:RotationMatrix3D .\n"))
+                .find("'n'"),
+            std::string::npos)
+      << "a matrix without entries is no pose of anything";
+  EXPECT_THAT(FaultOf(Body(Matrix(x + z))),
+              AllOf(matrix, HasSubstr("entry m10"), HasSubstr("is missing")));
+  EXPECT_THAT(FaultOf(Body(Matrix(x + y + z + " ; lares:m13 3.0"))),
+              AllOf(matrix, HasSubstr("entry m13"), HasSubstr("given twice"), HasSubstr("2"),
+                    HasSubstr("3")));
+  EXPECT_EQ(FaultOf(Body(Matrix(x + y + z + " ; lares:m13 \"2\"^^xsd:double"))), "");
+  const std::string scaled = "lares:m20 0.0 ; lares:m21 0.0 ; lares:m22 2.0 ; lares:m23 0.5";
+  EXPECT_THAT(FaultOf(Body(Matrix(x + y + scaled))), AllOf(matrix, HasSubstr("no rotation")));
+  const std::string mirrored = "lares:m20 0.0 ; lares:m21 0.0 ; lares:m22 -1.0 ; lares:m23 0.5";
+  EXPECT_THAT(FaultOf(Body(Matrix(x + y + mirrored))), AllOf(matrix, HasSubstr("no rotation")));
+  const std::string huge = "lares:m20 0.0 ; lares:m21 0.0 ; lares:m22 1e300 ; lares:m23 0.5";
+  EXPECT_THAT(FaultOf(Body(Matrix(x + y + huge))), HasSubstr("no rotation"));
+}
+
 }  // namespace
 }  // namespace lares::testing
