@@ -47,9 +47,10 @@ bind(Input, Setting, Step, Parameters, Remarks) :-
     member(Source, Sources),
     from(Source, Input, Setting, Step, Parameters, Remarks),
     !.
-bind(Input, _, _, [], []) :-
+bind(Input, Setting, Step, [], Remarks) :-
     get_dict(optional, Input, true),
-    !.
+    !,
+    unbound_notes(Input, Setting, Step, Remarks).
 bind(Input, _, Step, [], [problem(Sentence)]) :-
     get_dict(name, Input, Name),
     get_dict(sources, Input, Sources),
@@ -57,6 +58,16 @@ bind(Input, _, Step, [], [problem(Sentence)]) :-
     join(Parts, Joined),
     append(["nothing says what '", Name, "' of ", name(Step), " is; looked at "|Joined], [],
            Sentence).
+
+% Without an environment it is plain that nothing is said of it.
+unbound_notes(Input, Setting, _, []) :-
+    get_dict(environment, Setting, ''),
+    get_dict(sources, Input, Sources),
+    \+ ( member(Source, Sources), Source \= environment(_) ),
+    !.
+unbound_notes(Input, _, Step, [note(["'", Name, "' of ", name(Step), " is left open: nothing says \c
+what it is, and the skill can do without"])]) :-
+    get_dict(name, Input, Name).
 
 looked_at(recipe(Property, none), [phrase(Property), " of the step"]).
 looked_at(recipe(Property, Filler), [phrase(Filler), " inside ", phrase(Property), " of the step"]) :-
@@ -280,23 +291,31 @@ robot_fact(base_frame, Setting, Input, [Parameter], []) :-
     link_name(Link, Name),
     parameter(Input, robot, Link, [Name], text(Name), Parameter).
 robot_fact(camera, Setting, Input, [Parameter], Remarks) :-
-    get_dict(camera, Setting, camera(Camera, _, _, Count)),
+    get_dict(camera, Setting, camera(Camera, _, _, Others)),
     link_name(Camera, Name),
     parameter(Input, robot, Camera, [Name], text(Name), Parameter),
-    camera_notes(Count, Camera, Remarks).
-robot_fact(camera_pose, Setting, Input, [Parameter], []) :-
+    camera_notes(Others, Camera, Remarks).
+robot_fact(camera_pose, Setting, Input, Parameters, Remarks) :-
     get_dict(camera, Setting, camera(Camera, Root, Matrices, _)),
-    Root \== none,
-    link_name(Root, Frame),
-    parameter(Input, robot, Camera, [label(Camera), " on ", label(Root)], matrices(Matrices, Frame),
-              Parameter).
+    (   Root == none
+    ->  get_dict(optional, Input, true),
+        Parameters = [],
+        Remarks = [note(["the pose of the camera ", name(Camera), " cannot be computed: no chain of \c
+joints with known poses leads to it from the robot's base"])]
+    ;   link_name(Root, Frame),
+        parameter(Input, robot, Camera, [label(Camera), " on ", label(Root)],
+                  matrices(Matrices, Frame), Parameter),
+        Parameters = [Parameter],
+        Remarks = []
+    ).
 
-camera_notes(Count, Camera, [note(["the robot has ", CountText, " cameras; ", name(Camera),
-                                   " is taken"])]) :-
-    Count > 1,
-    !,
-    atom_number(CountText, Count).
-camera_notes(_, _, []).
+camera_notes([], _, []) :- !.
+camera_notes(Others, Camera, [note(["of the robot's cameras, ", name(Camera),
+                                    " is taken and not "|Names])]) :-
+    camera_names(Others, Names).
+
+camera_names([One], [name(One)]) :- !.
+camera_names([One|More], [name(One), ", "|Rest]) :- camera_names(More, Rest).
 
 link_name(Link, Name) :-
     rdf_asserted(Link, lares:urdfName, literal(Name, _, _)),

@@ -44,7 +44,7 @@ described_individual(Graph, Subject) :-
 
 %!  robot_problems(+Graph, -Problems:list) is det.
 %
-%   Joints in a circle, and matrix entries that are no finite numbers.
+%   Joints in a circle, matrix entries that are no finite numbers, and matrices that are no poses.
 
 robot_problems(Graph, Problems) :-
     findall(Problem, robot_problem(Graph, Problem), Found),
@@ -63,6 +63,66 @@ robot_problem(Graph, ["entry ", phrase(Property), " of the matrix ", name(Matrix
     rdf_in(Matrix, Property, Literal, Graph),
     \+ rdf_number(Literal, _),
     ( Literal = literal(Text, _, _) -> true ; Text = Literal ).
+
+robot_problem(Graph, Problem) :-
+    findall(Matrix,
+            ( rdf_in(Matrix, rdf:type, lares:'RotationMatrix3D', Graph),
+              once(( matrix_property(Property), rdf_in(Matrix, Property, _, Graph) )) ),
+            Found),
+    sort(Found, Matrices),
+    member(Matrix, Matrices),
+    upper_entries(Matrix, Graph, Entries),
+    \+ memberchk(_-unreadable, Entries),
+    pose_problem(Matrix, Entries, Problem).
+
+% Property-Values of the first three rows, row by row; the last row need not be written.
+upper_entries(Matrix, Graph, Entries) :-
+    findall(Property-Values,
+            ( matrix_property(Property),
+              \+ last_row(Property, _),
+              entry_values(Matrix, Property, Graph, Values) ),
+            Entries).
+
+entry_values(Matrix, Property, Graph, Values) :-
+    findall(Literal, rdf_in(Matrix, Property, Literal, Graph), Literals),
+    (   member(Literal, Literals), \+ rdf_number(Literal, _)
+    ->  Values = unreadable
+    ;   findall(Value, (member(Literal, Literals), rdf_number(Literal, Value)), Values)
+    ).
+
+pose_problem(Matrix, Entries, ["entry ", phrase(Property), " of the matrix ", name(Matrix),
+                               " is missing"]) :-
+    member(Property-[], Entries).
+pose_problem(Matrix, Entries, ["entry ", phrase(Property), " of the matrix ", name(Matrix),
+                               " is given twice: ", A, " and ", B]) :-
+    member(Property-[First|Others], Entries),
+    once(( member(Other, Others), Other =\= First )),
+    number_text(First, A),
+    number_text(Other, B).
+pose_problem(Matrix, Entries, ["the matrix ", name(Matrix), " is no pose: entries m00 to m22 are no \c
+rotation"]) :-
+    findall(Value, member(_-[Value|_], Entries), Values),
+    Values = [A, B, C, _, D, E, F, _, G, H, I, _],
+    \+ rotation([A, B, C], [D, E, F], [G, H, I]).
+
+number_text(Number, Text) :-
+    atom_number(Atom, Number),
+    atom_string(Atom, Text).
+
+% Rows of length 1 at right angles, right-handed, as far as rounded figures go.
+rotation(X, Y, Z) :-
+    near(X, X, 1), near(Y, Y, 1), near(Z, Z, 1),
+    near(X, Y, 0), near(X, Z, 0), near(Y, Z, 0),
+    X = [X0, X1, X2],
+    Y = [Y0, Y1, Y2],
+    C0 is X1 * Y2 - X2 * Y1,
+    C1 is X2 * Y0 - X0 * Y2,
+    C2 is X0 * Y1 - X1 * Y0,
+    near([C0, C1, C2], Z, 1).
+
+% Huge figures overflow: no rotation either.
+near([A0, A1, A2], [B0, B1, B2], Wanted) :-
+    catch(abs(A0 * B0 + A1 * B1 + A2 * B2 - Wanted) < 0.02, error(evaluation_error(_), _), fail).
 
 joined_in(Graph, Parent, Child) :-
     joint_property(Property, Direction),
@@ -89,24 +149,46 @@ base_link(Robot, Link) :-
 
 %!  robot_camera(+Robot, -Camera:compound) is semidet.
 %
-%   `camera(Part, Root, Matrices, Count)`: the camera to recognise things with, of Count that the
-%   robot has, preferring one that is a link of the kinematic chain. Root is the link at the chain's
+%   `camera(Part, Root, Matrices, Others)`: the camera to recognise things with and the others that
+%   the robot has. Colour cameras come first, then those that are links of the kinematic chain.
+%   Root is the link at the chain's
 %   beginning and Matrices lead from it to the camera, all joints at zero. Root is `none` when the
 %   chain cannot be followed.
 
-robot_camera(Robot, camera(Camera, Root, Matrices, Count)) :-
+robot_camera(Robot, camera(Camera, Root, Matrices, Others)) :-
     findall(Part, (rdf(Part, rdf:type, lares:'Camera'), rdf(Robot, lares:subComponent, Part)),
             Found),
-    sort(Found, Cameras),
-    length(Cameras, Count),
-    Count > 0,
-    (   member(Camera, Cameras),
+    preferred_first(Found, Cameras),
+    Cameras = [Best|_],
+    camera_rank(Best, Rank),
+    findall(Good, (member(Good, Cameras), camera_rank(Good, Rank)), Goods),
+    (   member(Camera, Goods),
         jointed(Camera),
         chain(Robot, Camera, Root, Matrices)
     ->  true
-    ;   member(Camera, Cameras), chain(Robot, Camera, Root, Matrices)
+    ;   member(Camera, Goods), chain(Robot, Camera, Root, Matrices)
     ->  true
-    ;   Cameras = [Camera|_], Root = none, Matrices = []
+    ;   Camera = Best, Root = none, Matrices = []
+    ),
+    findall(Other, (member(Other, Cameras), Other \== Camera), Others).
+
+% Things are recognised by their colours: colour cameras, then those not named for something else.
+preferred_first(Found, Cameras) :-
+    sort(Found, Sorted),
+    findall(Rank-Camera, (member(Camera, Sorted), camera_rank(Camera, Rank)), Ranked),
+    keysort(Ranked, Ordered),
+    findall(Camera, member(_-Camera, Ordered), Cameras).
+
+camera_rank(Camera, 0) :- rdf(Camera, rdf:type, lares:'ColorCamera'), !.
+camera_rank(Camera, 2) :- sees_no_colour(Camera), !.
+camera_rank(_, 1).
+
+sees_no_colour(Camera) :-
+    rdf_label(Camera, Label),
+    downcase_atom(Label, Name),
+    (   member(Word, [infrared, depth]), sub_atom(Name, _, _, _, Word)
+    ;   atomic_list_concat(Words, '_', Name), memberchk(ir, Words)
+    ;   atomic_list_concat(Words, ' ', Name), memberchk(ir, Words)
     ).
 
 % A link of the chain itself, not a device that hangs on one.

@@ -170,7 +170,7 @@ finish(Flat, Chosen, States, Remarks,
             Ends),
     get_dict(unordered, Flat, Unordered),
     findall(Note, (member(note(Note), Remarks) ; structure_note(Flat, Note)
-                  ; added_note(Transitions, Note)), Notes0),
+                  ; added_note(Transitions, Note) ; nothing_found_note(Transitions, Note)), Notes0),
     list_to_set(Notes0, Notes).
 
 % Breadth first along the transitions, ends included.
@@ -205,6 +205,33 @@ added_note(Transitions, ["added: ", From, " on '", Outcome, "' leads to ", To, "
     get_dict(from, Transition, From),
     get_dict(to, Transition, To),
     get_dict(reason, Transition, Reason).
+
+nothing_found_note(Transitions, ["the plan also ends as succeeded when nothing was found: from ", From,
+                                 " on 'exhausted' by way of "|Names]) :-
+    member(Transition, Transitions),
+    get_dict(added, Transition, true),
+    get_dict(outcome, Transition, exhausted),
+    get_dict(from, Transition, From),
+    get_dict(to, Transition, To),
+    straight_on([To], Transitions, Path),
+    plain_names(Path, Names).
+
+% Shortest path to the successful end that needs no further decision of the exhausted loop.
+straight_on([succeeded|Path], _, Names) :-
+    !,
+    reverse([succeeded|Path], Names).
+straight_on([Id|Path], Transitions, Names) :-
+    member(Transition, Transitions),
+    get_dict(from, Transition, Id),
+    get_dict(outcome, Transition, Outcome),
+    \+ memberchk(Outcome, [failed, exhausted]),
+    get_dict(to, Transition, To),
+    \+ memberchk(To, [Id|Path]),
+    straight_on([To, Id|Path], Transitions, Names),
+    !.
+
+plain_names([One], [One]) :- !.
+plain_names([One|More], [One, " → "|Rest]) :- plain_names(More, Rest).
 
 % -- the way on from an outcome --
 

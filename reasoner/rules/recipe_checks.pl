@@ -59,10 +59,19 @@ problem(_, Task, _, [name(Task), " is among its own sub-actions: it would never 
     findall(Step, (own_step(Task, Direct), all_steps(Direct, Steps), member(Step, Steps)), Below),
     memberchk(Task, Below).
 problem(Graph, _, Structure, [name(Step), " is of an unknown kind: no class above it is an action that \c
-the catalogue knows"]) :-
+the catalogue knows (a recipe cannot use a task of another document as a step)"]) :-
     get_dict(steps, Structure, Steps),
     member(Step, Steps),
     \+ known_action(Graph, Step).
+problem(Graph, _, Structure, Problem) :-
+    get_dict(transitions, Structure, Moves),
+    known_results(Graph, Results),
+    member(move(_, Cause, _, Id), Moves),
+    Cause \== none,
+    \+ memberchk(Cause, Results),
+    all_named(Results, Names),
+    append(["transition ", name(Id), " is caused by ", name(Cause), ", which is no result that the \c
+catalogue knows; it knows "|Names], [], Problem).
 problem(_, Task, Structure, Problem) :-
     get_dict(kind, Structure, partial_order),
     !,
@@ -81,6 +90,15 @@ known_action(Graph, Step) :-
     ;   known_outside(Graph, Super)
     ),
     !.
+
+% A recipe cannot make up a result: no skill would ever have it.
+known_results(Graph, Results) :-
+    findall(Result,
+            ( rdf_asserted(Result, rdf:type, lares:'ActionResult'),
+              once(( rdf_graph(Other), Other \== Graph,
+                     rdf_in(Result, rdf:type, lares:'ActionResult', Other) )) ),
+            Found),
+    sort(Found, Results).
 
 known_outside(Graph, Class) :-
     rdf_graph(Other),
@@ -235,7 +253,8 @@ machine_problem(Task, Structure, [name(Step), " cannot be reached from the start
     \+ memberchk(Step, Reached).
 machine_problem(Task, Structure, Problem) :-
     move_graph(Structure, Graph),
-    end_states(Structure, Ends),
+    end_states(Structure, Stated),
+    findall(End, (member(End, Stated), \+ always_leads_on(Structure, End)), Ends),
     get_dict(steps, Structure, Steps),
     findall(Step, (member(Step, Steps), stuck(Step, Graph, Ends, Steps)), Stuck),
     Stuck = [_|_],
@@ -277,6 +296,36 @@ end_states(Structure, Ends) :-
     move_graph(Structure, Graph),
     findall(Step, member(Step-[], Graph), Ends).
 
+%!  always_leads_on(+Structure:dict, +State) is semidet.
+%
+%   However State comes out, unless it fails or has nothing left to do, a transition leaves it: the
+%   recipe cannot end there.
+
+always_leads_on(Structure, State) :-
+    get_dict(transitions, Structure, Moves),
+    findall(Cause, (member(move(State, Cause, _, _), Moves), Cause \== none), Causes),
+    Causes \== [],
+    (   task(State)
+    ->  ends_with_every([completed], Causes)
+    ;   get_dict(steps, Structure, Steps),
+        given_classes(State, Steps, Given),
+        (   can_do(State, Causes, Given)
+        ->  \+ can_end(State, Causes, Given)
+        ;   ends_with_every([completed, checked], Causes)
+        )
+    ).
+
+ends_with_every(Ways, Causes) :-
+    member(Way, Ways),
+    every_result(Way, Results),
+    \+ ( member(Result, Results), \+ memberchk(Result, Causes) ),
+    !.
+
+every_result(completed, [Completed]) :- rdf_equal(Completed, lares:'COMPLETED_OK').
+every_result(checked, [True, False]) :-
+    rdf_equal(True, lares:'CONDITION_TRUE'),
+    rdf_equal(False, lares:'CONDITION_FALSE').
+
 %!  given_classes(+Step, +Steps, -Producers:list) is det.
 %
 %   Those of Steps whose outputs (outputsCreated) Step is given.
@@ -316,6 +365,12 @@ steps of the recipe"]) :-
     get_dict(steps, Structure, Steps),
     member(before(A, B, Id), Orders),
     \+ ( memberchk(A, Steps), memberchk(B, Steps) ).
+task_warning(Structure, ["the end state ", name(End),
+                         " is no end: however it comes out, a transition leaves it"]) :-
+    get_dict(kind, Structure, state_machine),
+    get_dict(ends, Structure, Ends),
+    member(End, Ends),
+    always_leads_on(Structure, End).
 task_warning(Structure, ["no end state is stated; the states that nothing leaves are taken: "|Names]) :-
     get_dict(kind, Structure, state_machine),
     get_dict(ends, Structure, []),

@@ -2,6 +2,8 @@
           [ choose_template/3,
             template_serves/2,
             can_exhaust/2,
+            can_do/3,
+            can_end/3,
             template_skill/2,
             template_outcomes/2,
             template_inputs/2,
@@ -50,6 +52,13 @@ choose_template(Situation, Answers, Choice) :-
     pick(Sorted, Serving, Situation, Answers, Choice).
 
 pick([], [], Situation, _, none([name(Step), " is an action for which no skill template is known"])) :-
+    !,
+    get_dict(step, Situation, Step).
+pick([], Serving, Situation, _, none(["no skill template for ", name(Step), " has an outcome that \c
+means ", name(Cause), ", by which the recipe leads on"])) :-
+    get_dict(causes, Situation, Causes),
+    member(Cause, Causes),
+    \+ ( member(Template-_, Serving), outcome_for(Template, Cause) ),
     !,
     get_dict(step, Situation, Step).
 pick([], Serving, Situation, _, none(Sentence)) :-
@@ -139,11 +148,34 @@ outcome_for(Template, Cause) :-
 %   Some template for Step, given outputs of Given, may run out of things to do.
 
 can_exhaust(Step, Given) :-
-    template_serves(Step, Template),
-    applies(Template, situation{step:Step, causes:[], given:Given, robot:none}),
+    applicable(Step, [], Given, Template),
     template_outcomes(Template, Outcomes),
     memberchk(outcome(exhausted, _), Outcomes),
     !.
+
+%!  can_do(+Step, +Causes, +Given) is semidet.
+%
+%   Some template applies to Step, from which the recipe leads on by Causes.
+
+can_do(Step, Causes, Given) :-
+    applicable(Step, Causes, Given, _),
+    !.
+
+%!  can_end(+Step, +Causes, +Given) is semidet.
+%
+%   Some template for Step may come out well with something that is none of Causes.
+
+can_end(Step, Causes, Given) :-
+    applicable(Step, Causes, Given, Template),
+    template_outcomes(Template, Outcomes),
+    member(outcome(Name, Result), Outcomes),
+    \+ memberchk(Name, [failed, exhausted]),
+    \+ memberchk(Result, Causes),
+    !.
+
+applicable(Step, Causes, Given, Template) :-
+    template_serves(Step, Template),
+    applies(Template, situation{step:Step, causes:Causes, given:Given, robot:none}).
 
 %!  template_skill(+Template, -Skill:atom) is det.
 

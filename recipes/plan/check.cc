@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cctype>
+#include <deque>
 
+#include "base/text.h"
 #include "recipes/plan/shape.h"
 
 namespace lares::recipes {
@@ -71,34 +73,76 @@ void CheckTransitions(const Plan& plan, Violations& found) {
   }
 }
 
+// The ways apart from failures that nobody wrote down: every skill may fail, so an end that only
+// they lead to is none.
+Ways IntendedWays(const Plan& plan) {
+  Ways ways;
+  for (const Transition& transition : plan.transitions) {
+    if (transition.added && transition.outcome == "failed") continue;
+    ways[transition.from].emplace(transition.outcome, transition.to);
+  }
+  return ways;
+}
+
+bool ReachesEnd(const Plan& plan, const Ways& ways, const std::string& from) {
+  const std::set<std::string> after = ReachableFrom(ways, from);
+  return std::any_of(plan.states.begin(), plan.states.end(), [&](const State& state) {
+    return state.kind == State::Kind::kEnd && after.count(state.id) > 0;
+  });
+}
+
+// That nothing is left to try is the aim of a recipe that goes through everything.
+bool CanBeDone(const Plan& plan, const Ways& ways) {
+  const std::set<std::string> after = ReachableFrom(ways, plan.start);
+  return std::any_of(plan.states.begin(), plan.states.end(), [&](const State& state) {
+    return state.kind == State::Kind::kEnd && (state.success || state.id == "exhausted") &&
+           after.count(state.id) > 0;
+  });
+}
+
 void CheckReachability(const Plan& plan, const Ways& ways, Violations& found) {
   const std::set<std::string> reached = ReachableFrom(ways, plan.start);
+  const Ways intended = IntendedWays(plan);
   for (const State& state : plan.states) {
     if (reached.count(state.id) == 0) {
       found.push_back("the state " + Quoted(state.id) + " cannot be reached from the start");
     }
-    if (state.kind == State::Kind::kEnd) continue;
-    const std::set<std::string> after = ReachableFrom(ways, state.id);
-    const bool ends = std::any_of(after.begin(), after.end(), [&](const std::string& id) {
-      const State* other = FindState(plan, id);
-      return other != nullptr && other->kind == State::Kind::kEnd;
-    });
-    if (!ends) found.push_back("no end can be reached from " + Quoted(state.id));
+    if (state.kind != State::Kind::kEnd && !ReachesEnd(plan, intended, state.id)) {
+      found.push_back("no end can be reached from " + Quoted(state.id) + " unless a step fails");
+    }
+  }
+  if (!CanBeDone(plan, intended)) {
+    found.push_back("no end that is a success can be reached from the start");
   }
 }
 
-bool IsCreatedBefore(const Plan& plan, const Ways& ways, const State& user,
-                     const std::string& key) {
-  return std::any_of(plan.states.begin(), plan.states.end(), [&](const State& creator) {
-    const bool creates = std::any_of(creator.outputs.begin(), creator.outputs.end(),
-                                     [&](const auto& output) { return output.second == key; });
-    if (!creates) return false;
-    const auto next = ways.find(creator.id);
-    return next != ways.end() &&
-           std::any_of(next->second.begin(), next->second.end(), [&](const auto& way) {
-             return ReachableFrom(ways, way.second).count(user.id) > 0;
-           });
-  });
+bool Creates(const State& state, const std::string& key) {
+  return std::any_of(state.outputs.begin(), state.outputs.end(),
+                     [&](const auto& output) { return output.second == key; });
+}
+
+// The states on a shortest path from the start to `user` on which nothing creates `key` before it
+// is used; empty when there is none. A step that failed has created nothing.
+std::vector<std::string> PathWithout(const Plan& plan, const Ways& ways, const State& user,
+                                     const std::string& key) {
+  std::map<std::string, std::string> before{{plan.start, ""}};
+  std::deque<std::string> open{plan.start};
+  while (!open.empty() && before.count(user.id) == 0) {
+    const std::string id = std::move(open.front());
+    open.pop_front();
+    const State* state = FindState(plan, id);
+    const auto from = ways.find(id);
+    if (state == nullptr || from == ways.end()) continue;
+    for (const auto& [outcome, to] : from->second) {
+      if (outcome != "failed" && Creates(*state, key)) continue;
+      if (before.emplace(to, id).second) open.push_back(to);
+    }
+  }
+  std::vector<std::string> path;
+  if (before.count(user.id) == 0) return path;
+  for (std::string id = user.id; !id.empty(); id = before.at(id)) path.push_back(id);
+  std::reverse(path.begin(), path.end());
+  return path;
 }
 
 void CheckParameter(const Plan& plan, const Ways& ways, const State& state,
@@ -118,8 +162,9 @@ void CheckParameter(const Plan& plan, const Ways& ways, const State& state,
     if (!key.empty()) found.push_back(what + " has a value written like a key, " + parameter.value);
   } else if (key.empty()) {
     found.push_back(what + " comes from another step but names no key");
-  } else if (!IsCreatedBefore(plan, ways, state, key)) {
-    found.push_back(what + " uses " + Quoted(key) + ", which no step before it creates");
+  } else if (const auto path = PathWithout(plan, ways, state, key); !path.empty()) {
+    found.push_back(what + " uses " + Quoted(key) + ", which no step creates on the way " +
+                    Join(path, " → "));
   }
 }
 

@@ -112,12 +112,14 @@ std::vector<Task> FindTasks(prolog::EnginePool& engines, const rdf::View& view,
 
 // The robots (individuals) that `robot_graph` (a graph of `view`) describes.
 // Throws kInvalid for a body that cannot be: joints in a circle (as asserted), matrix entries that
-// are no finite numbers; each named.
+// are no finite numbers, missing or given twice, matrices that turn nothing rightly; each named.
 std::vector<Resource> FindRobots(prolog::EnginePool& engines, const rdf::View& view,
                                  const std::string& robot_graph);
 
-// Every state reachable from the start, an end reachable from every state, every outcome led on,
-// every parameter bound, ids unique. One sentence for each violation.
+// Every state reachable from the start; an end reachable from every state, and from the start one
+// that is a success or has gone through everything, without a failure that the recipe says nothing
+// of; every outcome led on; every parameter bound, on every path; ids unique. One sentence for each
+// violation.
 std::vector<std::string> CheckPlan(const Plan& plan);
 
 }  // namespace lares::recipes

@@ -9,6 +9,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::UnorderedElementsAre;
 
 State Skill(const std::string& id, std::vector<std::string> outcomes) {
   State state;
@@ -18,10 +19,11 @@ State Skill(const std::string& id, std::vector<std::string> outcomes) {
   return state;
 }
 
-State End(const std::string& id) {
+State End(const std::string& id, bool success = true) {
   State state;
   state.id = id;
   state.kind = State::Kind::kEnd;
+  state.success = success;
   return state;
 }
 
@@ -97,8 +99,8 @@ TEST(CheckPlan, NamesParametersThatAreNotBound) {
   plan.states[0].inputs = {Input("target", "", Parameter::Source::kRecipe),
                            Input("name", "x", Parameter::Source::kRecipe),
                            Input("odd", "{key}", Parameter::Source::kRecipe)};
-  EXPECT_THAT(CheckPlan(plan), ::testing::UnorderedElementsAre(
-                                   HasSubstr("'name' of 'a' has a name that"),
+  EXPECT_THAT(CheckPlan(plan),
+              UnorderedElementsAre(HasSubstr("'name' of 'a' has a name that"),
                                    HasSubstr("'odd' of 'a' has a value written like a key"),
                                    HasSubstr("'target' of 'a' is not bound")));
 }
@@ -112,11 +114,68 @@ TEST(CheckPlan, NamesUnknownTypesAndOutputsThatNoTreeCanHold) {
                                            HasSubstr("has the unknown type 'banana'")));
 }
 
-TEST(CheckPlan, WantsAKeyToBeCreatedByAnEarlierStep) {
+TEST(CheckPlan, AFailureThatWasAddedIsNoWayToEnd) {
+  Plan plan = Loop();
+  plan.states[0].outcomes.push_back("failed");
+  plan.states.push_back(End("failed", false));
+  plan.transitions.push_back({"a", "failed", "failed", true, "so that it leads on"});
+  EXPECT_THAT(CheckPlan(plan), IsEmpty());
+  plan.transitions[1].to = "a";
+  plan.states.erase(plan.states.begin() + 2);
+  EXPECT_THAT(CheckPlan(plan),
+              UnorderedElementsAre(HasSubstr("no end can be reached from 'a' unless a step fails"),
+                                   HasSubstr("no end can be reached from 'b' unless a step fails"),
+                                   HasSubstr("no end that is a success")));
+}
+
+TEST(CheckPlan, WantsASuccessThatCanBeReachedFromTheStart) {
+  Plan plan = Loop();
+  plan.states[2].success = false;
+  EXPECT_THAT(CheckPlan(plan), ElementsAre(HasSubstr("no end that is a success")));
+  plan.states[2].id = plan.transitions[1].to = "exhausted";
+  EXPECT_THAT(CheckPlan(plan), IsEmpty()) << "everything was gone through";
+}
+
+TEST(CheckPlan, WantsAKeyToBeCreatedOnEveryPath) {
   Plan plan = Loop();
   plan.states[0].inputs = {Input("pose", "{next}", Parameter::Source::kStep)};
-  EXPECT_THAT(CheckPlan(plan), ElementsAre(HasSubstr("uses 'next', which no step before it")));
-  plan.states[1].outputs = {{"pose", "next"}};  // b comes before a, round the loop
+  EXPECT_THAT(CheckPlan(plan),
+              ElementsAre(HasSubstr("uses 'next', which no step creates on the way a")));
+  plan.states[1].outputs = {{"pose", "next"}};
+  EXPECT_THAT(CheckPlan(plan), ElementsAre(HasSubstr("on the way a")))
+      << "b comes before a only from the second round on";
+  plan.start = "b";
+  EXPECT_THAT(CheckPlan(plan), IsEmpty());
+}
+
+TEST(CheckPlan, NamesThePathOnWhichAKeyIsNotCreated) {
+  Plan plan;
+  plan.start = "a";
+  plan.states = {Skill("a", {"true", "false"}), Skill("make", {"succeeded"}),
+                 Skill("use", {"succeeded"}), End("done")};
+  plan.states[1].outputs = {{"pose", "next"}};
+  plan.states[2].inputs = {Input("pose", "{next}", Parameter::Source::kStep)};
+  plan.transitions = {{"a", "true", "make"},
+                      {"a", "false", "make"},
+                      {"make", "succeeded", "use"},
+                      {"use", "succeeded", "done"}};
+  EXPECT_THAT(CheckPlan(plan), IsEmpty());
+  plan.transitions[1].to = "use";
+  EXPECT_THAT(CheckPlan(plan),
+              ElementsAre("parameter 'pose' of 'use' uses 'next', which no step creates on the way "
+                          "a → use"));
+}
+
+TEST(CheckPlan, AStepThatFailedHasCreatedNothing) {
+  Plan plan;
+  plan.start = "make";
+  plan.states = {Skill("make", {"succeeded", "failed"}), Skill("use", {"succeeded"}), End("done")};
+  plan.states[0].outputs = {{"pose", "next"}};
+  plan.states[1].inputs = {Input("pose", "{next}", Parameter::Source::kStep)};
+  plan.transitions = {
+      {"make", "succeeded", "use"}, {"make", "failed", "use"}, {"use", "succeeded", "done"}};
+  EXPECT_THAT(CheckPlan(plan), ElementsAre(HasSubstr("on the way make → use")));
+  plan.transitions[1].to = "make";
   EXPECT_THAT(CheckPlan(plan), IsEmpty());
 }
 

@@ -89,6 +89,14 @@ TEST(Plan, ALoopGetsTheExitThatItsSkillNeeds) {
   EXPECT_THAT(result.plan->notes, Contains(HasSubstr("added: next on 'exhausted' leads to stop")));
 }
 
+TEST(Plan, ASearchThatAlsoSucceedsWhenNothingWasFoundSaysSo) {
+  const auto result = Make(Search());
+  ASSERT_PLAN(result);
+  EXPECT_THAT(result.plan->notes,
+              Contains("the plan also ends as succeeded when nothing was found: from next on "
+                       "'exhausted' by way of stop → succeeded"));
+}
+
 TEST(Plan, AnExitThatTheRecipeStatesIsKept) {
   const auto result = Make(
       Search() + ":Task rdfs:subClassOf " + Has("lares:stateTransition", ":out") +
@@ -221,6 +229,27 @@ TEST(Plan, AnActionWithoutATemplateIsAProblem) {
               ElementsAre(AllOf(HasSubstr("'a'"), HasSubstr("no skill template"))));
 }
 
+TEST(Plan, AResultThatNoTemplateHasIsNamed) {
+  const auto result = Make(
+      StateMachine({{"a", kGo}, {"b", kGo}}, "a", {"b"}, {{"a", "CONDITION_TRUE", "b"}}) + kHere);
+  EXPECT_FALSE(result.plan);
+  EXPECT_THAT(result.problems,
+              ElementsAre(AllOf(HasSubstr("no skill template for 'a'"),
+                                HasSubstr("an outcome that means"), HasSubstr("CONDITION_TRUE>"))));
+}
+
+TEST(Plan, AValueThatOneWayDoesNotCreateIsAProblem) {
+  const auto result =
+      Make(StateMachine({{"look", kLook}, {"infer", kInfer}, {"next", kNext}}, "look", {"next"},
+                        {{"look", "CONDITION_TRUE", "infer"},
+                         {"look", "CONDITION_FALSE", "next"},
+                         {"infer", "COMPLETED_OK", "next"}}));
+  EXPECT_FALSE(result.plan);
+  EXPECT_THAT(result.problems,
+              ElementsAre(AllOf(HasSubstr("'candidate_poses' of 'next' uses 'poses'"),
+                                HasSubstr("on the way look → next"))));
+}
+
 TEST(Plan, AnInputThatNothingSaysIsAProblem) {
   const auto result = Make(PartialOrder({{"a", "lares:Translation-LocationChange"}}, {}));
   EXPECT_FALSE(result.plan);
@@ -334,6 +363,34 @@ TEST(Plan, TheCamerasPoseComesFromTheChainOfJoints) {
   EXPECT_EQ(pose.value, "-1 3 1 0 0 1 0");
   EXPECT_EQ(pose.frame, "base_link");
   EXPECT_EQ(pose.source, Parameter::Source::kRobot);
+}
+
+TEST(Plan, AColourCameraIsTakenBeforeOthersAndWhatIsLeftOpenIsNoted) {
+  const std::string cameras =
+      ":robot lares:subComponent :a_depth , :b_ir_eye , :c_eye , :stair .\n"
+      ":a_depth a lares:Camera . :b_ir_eye a lares:Camera . :c_eye a lares:Camera .\n"
+      ":stair a lares:Camera .\n";
+  const auto robot = [&](const std::string& more) {
+    return RobotText({"MobileBase", "ObjectRecognitionComponent", "ObjectRecognitionModel"}, {}) +
+           cameras + more;
+  };
+  const auto named = Make(Search(), {}, robot(""));
+  ASSERT_PLAN(named);
+  EXPECT_EQ(Input(*named.plan, "look", "camera").value, "c_eye");
+  EXPECT_THAT(named.plan->notes,
+              Contains(AllOf(HasSubstr("'c_eye'"), HasSubstr("is taken and not 'stair'"),
+                             HasSubstr("'a_depth'"), HasSubstr("'b_ir_eye'"))));
+  EXPECT_THAT(named.plan->notes, Contains(AllOf(HasSubstr("pose of the camera 'c_eye'"),
+                                                HasSubstr("cannot be computed"))));
+  const auto coloured = Make(Search(), {}, robot(":b_ir_eye a lares:ColorCamera .\n"));
+  ASSERT_PLAN(coloured);
+  EXPECT_EQ(Input(*coloured.plan, "look", "camera").value, "b_ir_eye");
+}
+
+TEST(Plan, AnOptionalInputThatNothingSaysIsNoted) {
+  const auto result = Make(PartialOrder({{"a", kGo}}, {}) + kHere);
+  ASSERT_PLAN(result);
+  EXPECT_THAT(result.plan->notes, Contains(HasSubstr("'base_frame' of 'a'")));
 }
 
 TEST(Plan, TheLibraryRecipesGivePlansInTheDemonstrationFlat) {

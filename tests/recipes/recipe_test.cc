@@ -110,7 +110,7 @@ TEST(Recipe, TwoWaysOnForOneResultAreRefused) {
 TEST(Recipe, AnUnknownActionIsRefused) {
   const auto problem = HasSubstr("'b' <https://example.org/test#b> is of an unknown kind");
   EXPECT_THAT(Problems(PartialOrder({{"a", kGo}, {"b", ":Juggling"}}, {{"a", "b"}})),
-              ElementsAre(problem));
+              ElementsAre(AllOf(problem, HasSubstr("a task of another document"))));
   EXPECT_THAT(Problems(PartialOrder({{"a", kGo}, {"b", ":Juggling"}}, {{"a", "b"}}) +
                        ":Juggling rdfs:subClassOf lares:Action .\n"),
               ElementsAre(problem))
@@ -146,6 +146,48 @@ TEST(Recipe, ACycleThatCannotEndIsRefused) {
                              {"b", "COMPLETED_OK", "c"},
                              {"c", "COMPLETED_OK", "b"}})),
       ElementsAre(AllOf(HasSubstr("from the cycle"), HasSubstr("'b'"), HasSubstr("'c'"))));
+}
+
+TEST(Recipe, ACycleWhoseStatedEndAlwaysLeadsOnIsRefused) {
+  const std::string machine =
+      StateMachine({{"a", kGo}, {"b", "lares:OpeningAGripper"}}, "a", {"b"},
+                   {{"a", "COMPLETED_OK", "b"}, {"b", "COMPLETED_OK", "a"}});
+  EXPECT_THAT(Problems(machine), ElementsAre(HasSubstr("can be reached from the cycle 'a'")));
+  EXPECT_THAT(Tasks(machine).front().warnings, ElementsAre(HasSubstr("'b' <")));
+  EXPECT_THAT(Problems(StateMachine({{"a", kGo}, {"b", kLook}}, "a", {"b"},
+                                    {{"a", "COMPLETED_OK", "b"},
+                                     {"b", "CONDITION_TRUE", "a"},
+                                     {"b", "CONDITION_FALSE", "a"}})),
+              ElementsAre(HasSubstr("from the cycle")));
+  EXPECT_THAT(Problems(StateMachine({{"a", kGo}, {"b", "lares:OpeningAGripper"}}, "a", {"b"},
+                                    {{"a", "COMPLETED_OK", "b"}, {"b", "COMPLETED_FAILED", "a"}})),
+              IsEmpty())
+      << "a second attempt";
+}
+
+TEST(Recipe, AStatedEndThatIsARecipeAndLeadsOnIsNoEnd) {
+  const std::string inner = "lares:PurposefulAction , " + Some("lares:subAction", ":go");
+  const std::string go = ":go rdfs:subClassOf " + kGo + " .\n";
+  EXPECT_THAT(Problems(StateMachine({{"a", kGo}, {"b", inner}}, "a", {"b"},
+                                    {{"a", "COMPLETED_OK", "b"}, {"b", "COMPLETED_OK", "a"}}) +
+                       go),
+              ElementsAre(HasSubstr("from the cycle")));
+  EXPECT_THAT(Problems(StateMachine({{"a", kGo}, {"b", inner}}, "a", {"b"},
+                                    {{"a", "COMPLETED_OK", "b"}, {"b", "COMPLETED_FAILED", "a"}}) +
+                       go),
+              IsEmpty());
+}
+
+TEST(Recipe, AResultThatTheCatalogueDoesNotKnowIsRefused) {
+  const std::string machine =
+      StateMachine({{"a", kLook}, {"b", kGo}}, "a", {"b"}, {{"a", "CONDITION_TRU", "b"}});
+  const auto problem =
+      AllOf(HasSubstr("'move0' <https://example.org/test#move0> is caused by 'CONDITION_TRU'"),
+            HasSubstr("lares#CONDITION_TRUE>"), HasSubstr("lares#EXHAUSTED>"));
+  EXPECT_THAT(Problems(machine), ElementsAre(problem));
+  EXPECT_THAT(Problems(machine + "lares:CONDITION_TRU a lares:ActionResult .\n"),
+              ElementsAre(problem))
+      << "a result that only this document knows";
 }
 
 TEST(Recipe, ACycleThatASkillCanRunOutOfIsAccepted) {
@@ -225,6 +267,36 @@ TEST(Robot, AMatrixEntryThatIsNoFiniteNumberIsNamed) {
         AllOf(HasSubstr("m12"), HasSubstr("'m' <https://example.org/test#m>"), HasSubstr(entry)));
   }
   EXPECT_EQ(FaultOf(Body(":m lares:m12 \"-1.5E-3\"^^xsd:double .\n")), "");
+}
+
+// A matrix whose rows are given; the last row need not be.
+std::string Matrix(const std::string& rows) {
+  return ":m a lares:RotationMatrix3D ; " + rows + " .\n";
+}
+
+TEST(Robot, AMatrixThatIsNoPoseIsNamed) {
+  const std::string x = "lares:m00 0.0 ; lares:m01 -1.0 ; lares:m02 0.0 ; lares:m03 2.0 ; ";
+  const std::string y = "lares:m10 1.0 ; lares:m11 0.0 ; lares:m12 0.0 ; lares:m13 2.0 ; ";
+  const std::string z = "lares:m20 0.0 ; lares:m21 0.0 ; lares:m22 1.0 ; lares:m23 0.5";
+  const auto matrix = HasSubstr("matrix 'm' <https://example.org/test#m>");
+  EXPECT_EQ(FaultOf(Body(Matrix(x + y + z))), "");
+  EXPECT_EQ(FaultOf(Body(Matrix(x + y + z + " ; lares:m22 1.004 ; lares:m22 1.0") +
+                         ":n a lares:RotationMatrix3D .\n"))
+                .find("'n'"),
+            std::string::npos)
+      << "a matrix without entries is no pose of anything";
+  EXPECT_THAT(FaultOf(Body(Matrix(x + z))),
+              AllOf(matrix, HasSubstr("entry m10"), HasSubstr("is missing")));
+  EXPECT_THAT(FaultOf(Body(Matrix(x + y + z + " ; lares:m13 3.0"))),
+              AllOf(matrix, HasSubstr("entry m13"), HasSubstr("given twice"), HasSubstr("2"),
+                    HasSubstr("3")));
+  EXPECT_EQ(FaultOf(Body(Matrix(x + y + z + " ; lares:m13 \"2\"^^xsd:double"))), "");
+  const std::string scaled = "lares:m20 0.0 ; lares:m21 0.0 ; lares:m22 2.0 ; lares:m23 0.5";
+  EXPECT_THAT(FaultOf(Body(Matrix(x + y + scaled))), AllOf(matrix, HasSubstr("no rotation")));
+  const std::string mirrored = "lares:m20 0.0 ; lares:m21 0.0 ; lares:m22 -1.0 ; lares:m23 0.5";
+  EXPECT_THAT(FaultOf(Body(Matrix(x + y + mirrored))), AllOf(matrix, HasSubstr("no rotation")));
+  const std::string huge = "lares:m20 0.0 ; lares:m21 0.0 ; lares:m22 1e300 ; lares:m23 0.5";
+  EXPECT_THAT(FaultOf(Body(Matrix(x + y + huge))), HasSubstr("no rotation"));
 }
 
 }  // namespace
