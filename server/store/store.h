@@ -97,6 +97,8 @@ struct EnvironmentVersion {
   std::string note;
   std::vector<LayerInfo> layers;  // by name; unchanged layers are carried over from the parent
   std::vector<std::string> changed_layers;  // added, replaced or removed by this version, by name
+  std::string type_iri;                     // of the environment when this version was made
+  std::string label;
   std::string etag() const { return "\"" + environment + "-" + std::to_string(number) + "\""; }
 };
 
