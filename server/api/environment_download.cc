@@ -84,12 +84,8 @@ struct TarFile {
   std::string text;
 };
 
-std::string Manifest(const store::EnvironmentVersion& version, const Context& context) {
+std::string Manifest(const store::EnvironmentVersion& version) {
   Json manifest = ToJson(version);
-  if (const auto environment = context.store.FindEnvironment(version.environment)) {
-    manifest["type"] = environment->type_iri;
-    manifest["label"] = environment->label;
-  }
   for (std::size_t i = 0; i < version.layers.size(); ++i) {
     const store::LayerInfo& layer = version.layers[i];
     manifest["layers"][i]["file"] = LayerFileName(layer.name, layer.file_name, layer.media_type);
@@ -99,7 +95,7 @@ std::string Manifest(const store::EnvironmentVersion& version, const Context& co
 
 std::vector<TarFile> TarFiles(const store::EnvironmentVersion& version, const Context& context) {
   std::vector<TarFile> files;
-  std::string manifest = Manifest(version, context);
+  std::string manifest = Manifest(version);
   files.push_back({kManifestFile, manifest.size(), {}, std::move(manifest)});
   for (const store::LayerInfo& layer : version.layers) {
     files.push_back({LayerFileName(layer.name, layer.file_name, layer.media_type), layer.blob.size,

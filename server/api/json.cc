@@ -83,6 +83,8 @@ Json ToJson(const store::EnvironmentVersion& version) {
   for (const store::LayerInfo& layer : version.layers) layers.push_back(ToJson(layer));
   return {{"environment", version.environment},
           {"number", version.number},
+          {"type", version.type_iri},
+          {"label", version.label},
           {"created", ToRfc3339(version.created)},
           {"author", version.author},
           {"note", version.note},

@@ -14,12 +14,14 @@ namespace {
 
 constexpr std::size_t kReadBytes = 64 * 1024;
 constexpr std::size_t kWriteBytes = 64 * 1024;
+constexpr std::chrono::milliseconds kLingerTime{2000};
+constexpr double kLingerPace = 1 << 20;  // bytes a second
 constexpr std::string_view kHeaderEnd = "\r\n\r\n";
 
 }  // namespace
 
 Connection::Connection(int fd, std::string remote, const ConnectionLimits& limits)
-    : fd_(fd), remote_(std::move(remote)), limits_(limits) {}
+    : fd_(fd), remote_(std::move(remote)), limits_(limits), patience_(limits.stall_time) {}
 
 Connection::~Connection() { ::close(fd_); }
 
@@ -61,7 +63,7 @@ std::string Connection::TakeHeader() {
 void Connection::PutBack(std::string header) { input_.insert(0, header); }
 
 void Connection::BeginRequest() {
-  bytes_in_ = bytes_out_ = 0;
+  bytes_in_ = bytes_out_ = moved_ = 0;
   waited_ = {};
 }
 
@@ -77,16 +79,20 @@ bool Connection::Wait(short events, std::chrono::milliseconds time) {
   return ready > 0;
 }
 
-bool Connection::TooSlow(std::uint64_t bytes) const {
+bool Connection::TooSlow() {
+  if (waited_ <= limits_.stall_time) return false;
   const double seconds = std::chrono::duration<double>(waited_).count();
-  return waited_ > limits_.stall_time &&
-         static_cast<double>(bytes) < seconds * static_cast<double>(limits_.min_bytes_per_second);
+  const bool slow =
+      static_cast<double>(moved_) < seconds * static_cast<double>(limits_.min_bytes_per_second);
+  waited_ = {};
+  moved_ = 0;
+  return slow;
 }
 
 long Connection::Read(char* bytes, std::size_t size) {
   if (read_failed_) return -1;
   if (!has_input()) {
-    if (TooSlow(bytes_in_)) {
+    if (TooSlow()) {
       stalled_ = read_failed_ = true;
       return -1;
     }
@@ -97,10 +103,11 @@ long Connection::Read(char* bytes, std::size_t size) {
     while (got < 0) {
       got = ::recv(fd_, input_.data(), input_.size(), MSG_DONTWAIT);
       if (got >= 0 || errno == EINTR) continue;
-      if ((errno != EAGAIN && errno != EWOULDBLOCK) || !Wait(POLLIN, limits_.stall_time)) break;
+      if ((errno != EAGAIN && errno != EWOULDBLOCK) || !Wait(POLLIN, patience_)) break;
     }
     input_.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
     scanned_ = 0;
+    moved_ += input_.size();
     if (got <= 0) {
       read_failed_ = true;
       return static_cast<long>(got);
@@ -125,8 +132,9 @@ bool Connection::Flush() {
     const ssize_t sent = ::send(fd_, rest.data(), rest.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
     if (sent >= 0) {
       rest.remove_prefix(static_cast<std::size_t>(sent));
+      moved_ += static_cast<std::size_t>(sent);
     } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
-      write_failed_ = TooSlow(bytes_out_) || !Wait(POLLOUT, limits_.stall_time);
+      write_failed_ = TooSlow() || !Wait(POLLOUT, limits_.stall_time);
     } else if (errno != EINTR) {
       write_failed_ = true;
     }
@@ -138,11 +146,17 @@ bool Connection::Flush() {
 void Connection::Linger(std::uint64_t bytes) {
   Flush();
   ::shutdown(fd_, SHUT_WR);
+  patience_ = std::min(patience_, kLingerTime);
+  const auto start = std::chrono::steady_clock::now();
   std::array<char, 16 * 1024> piece;
-  while (bytes > 0) {
+  for (std::uint64_t taken = 0; bytes > 0;) {
     const long got = Read(piece.data(), std::min<std::uint64_t>(piece.size(), bytes));
     if (got <= 0) return;
     bytes -= static_cast<std::uint64_t>(got);
+    taken += static_cast<std::uint64_t>(got);
+    const auto elapsed = std::chrono::steady_clock::now() - start;
+    const double seconds = std::chrono::duration<double>(elapsed).count();
+    if (elapsed > kLingerTime && static_cast<double>(taken) < seconds * kLingerPace) return;
   }
 }
 

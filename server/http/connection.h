@@ -13,7 +13,8 @@ struct ConnectionLimits {
   std::chrono::milliseconds header_time{10'000};  // from a request's first byte to its empty line
   std::chrono::milliseconds idle_time{30'000};    // between two requests
   std::chrono::milliseconds stall_time{10'000};   // without a byte moving in a body or response
-  std::uint64_t min_bytes_per_second = 1024;      // of what was waited for longer than `stall_time`
+  // While the peer is waited for, over each `stall_time` of waiting.
+  std::uint64_t min_bytes_per_second = 16 * 1024;
 };
 
 // Owns the descriptor. Used by one thread at a time.
@@ -37,8 +38,8 @@ class Connection {
   // Buffers; false once the peer is gone.
   bool Write(std::string_view bytes);
   bool Flush();
-  // Lets the peer finish sending (up to `bytes`) after it was answered early, so that it gets to
-  // read the answer; the connection is of no use afterwards.
+  // Lets the peer finish sending (up to `bytes`, and only at a good pace) after it was answered
+  // early, so that it gets to read the answer; the connection is of no use afterwards.
   void Linger(std::uint64_t bytes);
 
   void BeginRequest();
@@ -51,11 +52,12 @@ class Connection {
 
  private:
   bool Wait(short events, std::chrono::milliseconds time);
-  bool TooSlow(std::uint64_t bytes) const;
+  bool TooSlow();
 
   int fd_;
   std::string remote_;
   const ConnectionLimits& limits_;
+  std::chrono::milliseconds patience_;  // with a peer that sends nothing
   std::string input_;
   std::size_t taken_ = 0;    // of input_
   std::size_t scanned_ = 0;  // of input_, for the empty line
@@ -65,7 +67,9 @@ class Connection {
   bool stalled_ = false;
   std::uint64_t bytes_in_ = 0;
   std::uint64_t bytes_out_ = 0;
-  std::chrono::steady_clock::duration waited_{};  // for the peer, since BeginRequest
+  // Since BeginRequest or the last look at the pace.
+  std::chrono::steady_clock::duration waited_{};  // for the peer
+  std::uint64_t moved_ = 0;                       // bytes, either way
 };
 
 }  // namespace lares::http

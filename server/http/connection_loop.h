@@ -11,7 +11,7 @@
 namespace lares::http {
 
 struct LoopOptions {
-  int threads = 32;
+  int threads = 64;                    // at most half of them in long transfers
   std::size_t max_connections = 1024;  // beyond it the one idle for longest is closed
   ConnectionLimits limits;
 };

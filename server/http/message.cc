@@ -38,8 +38,12 @@ std::string Headers::GetList(std::string_view name) const {
 }
 
 void Headers::Set(std::string_view name, std::string value) {
-  std::erase_if(fields_, [&](const auto& field) { return SameName(field.first, name); });
+  Remove(name);
   Add(name, std::move(value));
+}
+
+void Headers::Remove(std::string_view name) {
+  std::erase_if(fields_, [&](const auto& field) { return SameName(field.first, name); });
 }
 
 void Headers::Add(std::string_view name, std::string value) {

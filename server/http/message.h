@@ -26,6 +26,7 @@ class Headers {
   std::string GetList(std::string_view name) const;
   void Set(std::string_view name, std::string value);  // replaces every value of that name
   void Add(std::string_view name, std::string value);
+  void Remove(std::string_view name);
   const std::vector<std::pair<std::string, std::string>>& all() const { return fields_; }
 
  private:

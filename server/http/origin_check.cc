@@ -60,6 +60,10 @@ void CheckOrigin(const Request& request) {
                     std::string(host) + "'");
   }
   if (ChangesNothing(request.method)) return;
+  const auto origins = std::count_if(fields.begin(), fields.end(), [](const auto& field) {
+    return ToLower(field.first) == "origin";
+  });
+  if (origins > 1) throw Error(Code::kForbidden, "a request has at most one Origin header");
   if (const std::string* origin = request.headers.Find("Origin")) {
     if (ToLower(Trim(*origin)) != "http://" + ToLower(host)) {
       throw Error(Code::kForbidden, "a page of '" + *origin + "' may not change anything here");

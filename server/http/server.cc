@@ -2,6 +2,7 @@
 
 #include <httplib.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstring>
@@ -9,8 +10,10 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "server/http/header_check.h"
 #include "server/http/listen.h"
 #include "server/http/log.h"
+#include "server/http/long_transfers.h"
 #include "server/http/problem.h"
 #include "server/http/url.h"
 
@@ -24,16 +27,75 @@ constexpr std::string_view kRangeAlias = "X-Lares-Range";
 
 constexpr std::size_t kMaxTarget = 4096;
 
+// Above these, or when the length is not known, a transfer counts as long.
+constexpr std::uint64_t kShortBody = 64 * 1024;
+constexpr std::uint64_t kShortAnswer = 1024 * 1024;
+
+// One request on its way through httplib. The callbacks find it through `current`: they run on the
+// thread that called process_request.
+struct Exchange {
+  Connection& connection;
+  LongTransfers& long_transfers;
+  Request request;
+  Service::Admission admission;
+  bool admitted = false;
+  bool chunked = false;
+  bool body_read = false;
+  bool keep_open = true;
+  bool is_long = false;  // counted in `long_transfers`
+  bool has_ranges = false;
+  int status = 0;
+  std::uint64_t body_bytes = 0;
+
+  Exchange(Connection& from, LongTransfers& transfers)
+      : connection(from), long_transfers(transfers) {}
+  ~Exchange() {
+    if (is_long) long_transfers.End();
+  }
+  Exchange(const Exchange&) = delete;
+  Exchange& operator=(const Exchange&) = delete;
+
+  bool BeginLongTransfer() { return is_long = is_long || long_transfers.TryBegin(); }
+};
+thread_local Exchange* current = nullptr;
+
+// Takes out what httplib adds by itself and what would not be true.
+std::string WithoutAdditions(std::string_view head, const Exchange& exchange) {
+  std::string kept(head);
+  const auto drop = [&kept](std::string_view line) {
+    if (const std::size_t at = kept.find(line); at != std::string::npos) {
+      kept.erase(at + 2, line.size() - 2);
+    }
+  };
+  if (exchange.status == 304) drop("\r\nContent-Length: 0\r\n");
+  if (!exchange.has_ranges) drop("\r\nAccept-Ranges: bytes\r\n");
+  return kept;
+}
+
 // What httplib reads from and writes to.
 class ConnectionStream : public httplib::Stream {
  public:
-  explicit ConnectionStream(Connection& connection) : connection_(connection) {}
+  ConnectionStream(Connection& connection, std::size_t header_bytes)
+      : connection_(connection), header_left_(header_bytes) {}
 
   bool is_readable() const override { return true; }
   bool is_writable() const override { return true; }
-  ssize_t read(char* bytes, size_t size) override { return connection_.Read(bytes, size); }
+  // httplib takes more for a chunked body than is one: its bytes are checked on their way.
+  ssize_t read(char* bytes, size_t size) override {
+    if (header_left_ > 0) size = std::min(size, header_left_);
+    const long got = connection_.Read(bytes, size);
+    if (got <= 0) return got;
+    if (header_left_ > 0) {
+      header_left_ -= static_cast<std::size_t>(got);
+    } else if (current->chunked && !body_.Accept({bytes, static_cast<std::size_t>(got)})) {
+      return -1;
+    }
+    return got;
+  }
   ssize_t write(const char* bytes, size_t size) override {
-    return connection_.Write({bytes, size}) ? static_cast<ssize_t>(size) : -1;
+    if (head_written_ || current->status == 0) return Send({bytes, size}, size);
+    head_written_ = true;
+    return Send(WithoutAdditions({bytes, size}, *current), size);
   }
   void get_remote_ip_and_port(std::string& ip, int& port) const override {
     ip = connection_.remote();
@@ -46,22 +108,15 @@ class ConnectionStream : public httplib::Stream {
   socket_t socket() const override { return connection_.fd(); }
 
  private:
-  Connection& connection_;
-};
+  ssize_t Send(std::string_view bytes, size_t size) {
+    return connection_.Write(bytes) ? static_cast<ssize_t>(size) : -1;
+  }
 
-// One request on its way through httplib. The callbacks find it through `current`: they run on the
-// thread that called process_request.
-struct Exchange {
-  Connection& connection;
-  Request request;
-  Service::Admission admission;
-  bool admitted = false;
-  bool body_read = false;
-  bool keep_open = true;
-  int status = 0;
-  std::uint64_t body_bytes = 0;
+  Connection& connection_;
+  std::size_t header_left_;
+  ChunkedBodyCheck body_;
+  bool head_written_ = false;
 };
-thread_local Exchange* current = nullptr;
 
 std::string MarkRange(std::string header) {
   for (std::size_t line = header.find("\r\n"); line != std::string::npos;
@@ -104,28 +159,26 @@ void CheckHeader(const httplib::Request& from, Request& request) {
   auto query = ParseQuery(question == std::string::npos ? "" : from.target.substr(question + 1));
   if (!query) throw ProblemError("bad-request", "the address's query cannot be read");
   request.query = std::move(*query);
-  const auto lengths = from.get_header_value_count("Content-Length");
-  if (lengths > 1 || (lengths == 1 && from.has_header("Transfer-Encoding"))) {
-    throw ProblemError("bad-request", "the request states the length of its body twice");
-  }
-  const std::string length = from.get_header_value("Content-Length");
-  if (lengths == 1 && (length.empty() || length.size() > 18 ||
-                       length.find_first_not_of("0123456789") != std::string::npos)) {
-    throw ProblemError("bad-request", "Content-Length is no number");
-  }
-  const std::string encoding = ToLower(from.get_header_value("Transfer-Encoding"));
-  if (!encoding.empty() && encoding != "chunked") {
-    throw ProblemError("bad-request", "the only Transfer-Encoding taken is chunked");
-  }
+}
+
+ProblemError TooManyTransfers() {
+  return ProblemError("unavailable", "too many long transfers are in progress")
+      .WithHeader("Retry-After", "5");
 }
 
 // Called by httplib once the header is read: decides before a byte of the body is.
 void AdmitRequest(const Service& service, httplib::Request& from) {
   Exchange& exchange = *current;
   exchange.request = ToRequest(from);
+  exchange.chunked = exchange.request.has_body && !exchange.request.content_length;
   try {
     CheckHeader(from, exchange.request);
     exchange.admission = service.Admit(exchange.request);
+    const bool is_long = exchange.request.has_body &&
+                         exchange.request.content_length.value_or(UINT64_MAX) > kShortBody;
+    if (!exchange.admission.refusal && is_long && !exchange.BeginLongTransfer()) {
+      exchange.admission.refusal = Service::Refuse(TooManyTransfers(), exchange.request.id);
+    }
   } catch (const std::exception& error) {
     exchange.request.id = RequestId(exchange.request.headers.Get("X-Request-Id"));
     exchange.admission.refusal = Service::Refuse(error, exchange.request.id);
@@ -156,6 +209,11 @@ void SendFile(const FileBody& file, httplib::DataSink& sink) {
 
 void GiveResponse(Response response, httplib::Response& to) {
   Exchange& exchange = *current;
+  if (exchange.request.method != "HEAD" && BodyLength(response) > kShortAnswer &&
+      !exchange.BeginLongTransfer()) {
+    response = Service::Refuse(TooManyTransfers(), exchange.request.id);
+  }
+  exchange.has_ranges = response.headers.Get("Accept-Ranges") == "bytes";
   exchange.status = to.status = response.status;
   exchange.body_bytes = exchange.request.method == "HEAD" ? 0 : BodyLength(response);
   // httplib sets the length by the content; the type goes with it.
@@ -212,7 +270,11 @@ void ReadBody(const httplib::ContentReader& reader, std::uint64_t max_bytes, con
   if (!whole && exchange.connection.stalled()) {
     throw ProblemError("request-timeout", "the body came too slowly");
   }
-  if (!whole) throw ProblemError("bad-request", "the body ends before it is complete");
+  if (!whole) {
+    throw ProblemError("bad-request", exchange.chunked
+                                          ? "the body's chunks are malformed, or it ends early"
+                                          : "the body ends before it is complete");
+  }
   exchange.body_read = true;
 }
 
@@ -241,8 +303,8 @@ class Engine : public httplib::Server {
   }
   ~Engine() override { svr_sock_ = INVALID_SOCKET; }
 
-  bool Process(Connection& connection, bool close) {
-    ConnectionStream stream(connection);
+  bool Process(Connection& connection, std::size_t header_bytes, bool close) {
+    ConnectionStream stream(connection, header_bytes);
     bool closed = false;
     const bool fine = process_request(stream, close, closed, [this](httplib::Request& request) {
       AdmitRequest(service_, request);
@@ -292,17 +354,21 @@ class Engine : public httplib::Server {
   const Service& service_;
 };
 
-std::string RawRefusal(const std::string& problem_code) {
-  const Response problem = Service::Refuse(
-      ProblemError(problem_code, problem_code == "request-timeout"
-                                     ? "the request's header did not arrive in time"
-                                     : "the request's header is larger than allowed"),
-      RequestId(""));
+std::string RawProblem(const ProblemError& error) {
+  const std::string& problem_code = error.problem_code();
+  const Response problem = Service::Refuse(error, RequestId(""));
   const std::string& body = std::get<std::string>(problem.body);
   return "HTTP/1.1 " + std::to_string(problem.status) + " " +
          std::string(FindProblemKind(problem_code).title) +
          "\r\nContent-Type: application/problem+json\r\nConnection: close\r\nContent-Length: " +
          std::to_string(body.size()) + "\r\n\r\n" + body;
+}
+
+std::string RawRefusal(const std::string& problem_code) {
+  return RawProblem(
+      ProblemError(problem_code, problem_code == "request-timeout"
+                                     ? "the request's header did not arrive in time"
+                                     : "the request's header is larger than allowed"));
 }
 
 }  // namespace
@@ -312,6 +378,7 @@ struct Server::State {
   ServerOptions options;
   int port = 0;
   std::unique_ptr<Engine> engine;
+  std::unique_ptr<LongTransfers> long_transfers;
   std::unique_ptr<ConnectionLoop> loop;
 
   bool Serve(Connection& connection, bool closing) const;
@@ -321,12 +388,23 @@ struct Server::State {
 bool Server::State::Serve(Connection& connection, bool closing) const {
   const Clock::time_point start = Clock::now();
   std::string header = connection.TakeHeader();
-  connection.PutBack(MarkRange(std::move(header)));
-  Exchange exchange{connection, {}, {}, false, false, true, 0, 0};
+  Exchange exchange(connection, *long_transfers);
+  try {
+    CheckRawHeader(header);
+  } catch (const ProblemError& error) {
+    connection.Write(RawProblem(error));
+    exchange.status = FindProblemKind(error.problem_code()).status;
+    connection.Linger(kShortBody);
+    Record(exchange, Clock::now() - start);
+    return false;
+  }
+  header = MarkRange(std::move(header));
+  const std::size_t header_bytes = header.size();
+  connection.PutBack(std::move(header));
   current = &exchange;
   bool open = false;
   try {
-    open = engine->Process(connection, closing);
+    open = engine->Process(connection, header_bytes, closing);
   } catch (const std::exception& error) {
     // While the content was being sent: too late for a problem document.
     Log(LogLevel::kWarning, "a response was cut short",
@@ -368,6 +446,7 @@ Server::Server(std::shared_ptr<const Service> service, const ServerOptions& opti
   state.service = std::move(service);
   state.options = options;
   state.engine = std::make_unique<Engine>(*state.service);
+  state.long_transfers = std::make_unique<LongTransfers>(std::max(1, options.loop.threads / 2));
   const Listener listener = ListenOnLoopback(options.host, options.port);
   state.port = listener.port;
   state.loop =

@@ -76,6 +76,8 @@ void ApplyConditions(const Request& request, Response& response) {
   if (response.status != 200 || (request.method != "GET" && request.method != "HEAD")) return;
   if (NoneMatchHits(request.headers.GetList("If-None-Match"), response.headers.Get("ETag"))) {
     response.status = 304;
+    response.headers.Remove("Content-Type");
+    response.headers.Remove("Content-Length");
     response.body = std::string();
     return;
   }

@@ -29,27 +29,25 @@ std::string HashOfFile(const fs::path& path) {
 
 }  // namespace
 
-// Appended bytes go straight to the file. A failed write ends the store's writing, so nothing here
-// needs to be tried again.
+// Appended bytes go straight to the file. After a failed write the file is gone and the writer is
+// spent.
 class BlobFolder::Writer final : public BlobWriter {
  public:
   Writer(BlobFolder& folder, fs::path path)
       : folder_(folder), path_(std::move(path)), file_(folder.files_.Create(path_)) {}
 
   ~Writer() override {
-    if (committed_) return;
-    file_.reset();
-    try {
-      folder_.files_.Remove(path_);
-    } catch (const std::system_error&) {
-      // The next opening empties the folder.
-    }
+    if (!committed_) Drop();
   }
 
   void Append(std::string_view bytes) override {
     CheckOpen();
-    folder_.health_.Check();
-    folder_.health_.Guard([&] { file_->Append(bytes); });
+    try {
+      folder_.health_.Attempt([&] { file_->Append(bytes); });
+    } catch (const Error&) {
+      Drop();
+      throw;
+    }
     hash_.Update(bytes);
     size_ += bytes.size();
   }
@@ -58,6 +56,9 @@ class BlobFolder::Writer final : public BlobWriter {
     CheckOpen();
     folder_.health_.Check();
     Blob blob{hash_.FinishHex(), size_};
+    const auto file = std::move(file_);
+    folder_.health_.Guard([&] { file->Sync(); });
+    folder_.PrepareSubfolder(blob.sha256);
     folder_.health_.Guard([&] { Move(blob.sha256); });
     return blob;
   }
@@ -67,14 +68,20 @@ class BlobFolder::Writer final : public BlobWriter {
 
  private:
   void CheckOpen() const {
-    if (!file_) throw Error(Code::kInternal, "a blob was used after its commit");
+    if (!file_) throw Error(Code::kInternal, "a blob was used after its commit or a fault");
+  }
+
+  void Drop() {
+    file_.reset();
+    try {
+      folder_.files_.Remove(path_);
+    } catch (const std::system_error&) {
+      // The next opening empties the folder.
+    }
   }
 
   // A blob that is there already is replaced by these same bytes: that also mends a damaged one.
   void Move(const std::string& sha256) {
-    const auto file = std::move(file_);
-    file->Sync();
-    folder_.PrepareSubfolder(sha256);
     const fs::path place = folder_.Place(sha256);
     folder_.files_.Rename(path_, place);
     committed_ = true;
@@ -101,13 +108,12 @@ BlobFolder::BlobFolder(const fs::path& folder, Files& files, Health& health)
 }
 
 std::unique_ptr<BlobWriter> BlobFolder::New() {
-  health_.Check();
   fs::path path;
   {
     const std::lock_guard lock(mutex_);
     path = incoming_ / std::to_string(++next_name_);
   }
-  return health_.Guard([&] { return std::make_unique<Writer>(*this, path); });
+  return health_.Attempt([&] { return std::make_unique<Writer>(*this, path); });
 }
 
 Blob BlobFolder::Put(std::string_view bytes) {
@@ -151,16 +157,16 @@ void BlobFolder::PrepareSubfolder(const std::string& sha256) {
     if (prepared_[number]) return;
   }
   const fs::path subfolder = Place(sha256).parent_path();
-  files_.MakeFolder(subfolder);
-  files_.SyncFolder(subfolder);
-  files_.SyncFolder(blobs_);
+  health_.Attempt([&] { files_.MakeFolder(subfolder); });
+  health_.Guard([&] {
+    files_.SyncFolder(subfolder);
+    files_.SyncFolder(blobs_);
+  });
   const std::lock_guard lock(mutex_);
   prepared_[number] = true;
 }
 
-void BlobFolder::MakeDurable(const std::string& sha256) {
-  health_.Guard([&] { PrepareSubfolder(sha256); });
-}
+void BlobFolder::MakeDurable(const std::string& sha256) { PrepareSubfolder(sha256); }
 
 std::vector<std::string> BlobFolder::Verify() const {
   std::vector<std::string> problems;

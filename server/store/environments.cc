@@ -44,6 +44,8 @@ EnvironmentVersion ReadVersion(const Query& row, const std::string& environment)
   if (const std::string changed = row.Text(5); !changed.empty()) {
     version.changed_layers = Split(changed, ' ');
   }
+  version.type_iri = row.Text(6);
+  version.label = row.Text(7);
   return version;
 }
 
@@ -174,15 +176,18 @@ EnvironmentVersion AddVersion(Database& database, const NewVersion& version) {
   added.created = Now();
   added.author = version.author;
   added.note = version.note;
+  added.type_iri =
+      environment && version.type_iri.empty() ? environment->type_iri : version.type_iri;
+  added.label = environment && version.label.empty() ? environment->label : version.label;
   added.layers = std::move(change.layers);
   added.changed_layers = std::move(change.changed);
 
   const std::int64_t key = PutEnvironment(database, version, added.number, added.created);
   database.Run(
-      "INSERT INTO environment_versions (environment, number, created, author, note, changed) "
-      "VALUES (?, ?, ?, ?, ?, ?)",
+      "INSERT INTO environment_versions (environment, number, created, author, note, changed, "
+      "type_iri, label) VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
       {key, added.number, added.created.time_since_epoch().count(), added.author, added.note,
-       lares::Join(added.changed_layers, " ")});
+       lares::Join(added.changed_layers, " "), added.type_iri, added.label});
   AddLayers(database, database.last_key(), added.layers);
   return added;
 }
@@ -205,8 +210,8 @@ EnvironmentVersion GetVersion(Database& database, const std::string& id, int num
   if (!environment) throw NoEnvironment(id);
   const int wanted = number == 0 ? environment->latest : number;
   Query versions = database.Ask(
-      "SELECT v.key, v.number, v.created, v.author, v.note, v.changed " LARES_VERSIONS_JOINED
-      "WHERE e.id = ? AND v.number = ?",
+      "SELECT v.key, v.number, v.created, v.author, v.note, v.changed, v.type_iri, "
+      "v.label " LARES_VERSIONS_JOINED "WHERE e.id = ? AND v.number = ?",
       {id, wanted});
   Query layers = database.Ask(
       "SELECT l.version, l.name, l.file_name, l.media_type, l.sha256, l.size, "
@@ -224,8 +229,8 @@ EnvironmentVersion GetVersion(Database& database, const std::string& id, int num
 
 std::vector<EnvironmentVersion> EnvironmentLog(Database& database, const std::string& id) {
   Query versions = database.Ask(
-      "SELECT v.key, v.number, v.created, v.author, v.note, v.changed " LARES_VERSIONS_JOINED
-      "WHERE e.id = ? ORDER BY v.number DESC",
+      "SELECT v.key, v.number, v.created, v.author, v.note, v.changed, v.type_iri, "
+      "v.label " LARES_VERSIONS_JOINED "WHERE e.id = ? ORDER BY v.number DESC",
       {id});
   Query layers = database.Ask(
       "SELECT l.version, l.name, l.file_name, l.media_type, l.sha256, l.size, "

@@ -1,5 +1,7 @@
 #include "server/store/health.h"
 
+#include <cerrno>
+
 namespace lares::store {
 namespace {
 
@@ -23,6 +25,16 @@ void Health::Fail(const std::string& reason) {
 std::string Health::reason() const {
   const std::lock_guard lock(mutex_);
   return reason_;
+}
+
+Error Health::Refusal(const std::system_error& error) {
+  const bool full = error.code() == std::errc::no_space_on_device ||
+                    error.code() == std::errc::file_too_large || error.code().value() == EDQUOT;
+  return Error(Code::kUnavailable,
+               std::string(full ? "there is no room for these bytes: " : "cannot be stored: ") +
+                   error.what())
+      .WithHint(full ? "make room on the disk, then send it again; nothing of it was kept"
+                     : "mend the storage, then send it again; nothing of it was kept");
 }
 
 Error Health::Judge(const std::system_error& error) {

@@ -1,5 +1,7 @@
-// Whether the store still accepts writes. After a failed write or sync nothing is known about what
-// the disk holds of it, so the first such fault ends writing until the store is opened again.
+// Whether the store still accepts writes. After a failed sync, rename or write of the database
+// nothing is known about what the disk holds of it, so the first such fault ends writing until the
+// store is opened again. What fails before anything rests on it (a full disk while an upload is
+// taken in) fails alone.
 #pragma once
 
 #include <mutex>
@@ -32,7 +34,19 @@ class Health {
     }
   }
 
+  // Runs `write`, on which nothing rests yet: its fault comes out as kUnavailable and ends nothing.
+  template <typename Write>
+  auto Attempt(Write write) {
+    Check();
+    try {
+      return write();
+    } catch (const std::system_error& error) {
+      throw Refusal(error);
+    }
+  }
+
  private:
+  static Error Refusal(const std::system_error& error);
   Error Judge(const std::system_error& error);
   Error Judge(const Error& error);
 

@@ -7,7 +7,7 @@
 namespace lares::store {
 namespace {
 
-constexpr int kSchemaVersion = 1;
+constexpr int kSchemaVersion = 2;
 
 // Times are milliseconds since 1970. `latest` is the number of the newest version. A name is
 // `current` when it belongs to the newest version of a document that is not deleted; only those
@@ -63,6 +63,8 @@ CREATE TABLE environment_versions (
   author TEXT NOT NULL,
   note TEXT NOT NULL,
   changed TEXT NOT NULL,
+  type_iri TEXT NOT NULL DEFAULT '',
+  label TEXT NOT NULL DEFAULT '',
   UNIQUE (environment, number)
 );
 CREATE TABLE layers (
@@ -75,6 +77,16 @@ CREATE TABLE layers (
   facts TEXT NOT NULL,
   PRIMARY KEY (version, name)
 ) WITHOUT ROWID;
+)sql";
+
+// From schema 1, whose versions took type and label from their environment.
+constexpr const char* kFromSchema1 = R"sql(
+ALTER TABLE environment_versions ADD COLUMN type_iri TEXT NOT NULL DEFAULT '';
+ALTER TABLE environment_versions ADD COLUMN label TEXT NOT NULL DEFAULT '';
+UPDATE environment_versions SET
+  type_iri = (SELECT e.type_iri FROM environments e WHERE e.key = environment),
+  label = (SELECT e.label FROM environments e WHERE e.key = environment);
+UPDATE schema_version SET version = 2;
 )sql";
 
 bool HasTables(Database& database) {
@@ -94,17 +106,25 @@ void CreateTables(Database& database) {
   transaction.Commit();
 }
 
-void CheckVersion(Database& database, const std::filesystem::path& file) {
+// The schema that the file has, one that this program can use or migrate.
+std::int64_t CheckVersion(Database& database, const std::filesystem::path& file) {
   const std::string name = "'" + file.string() + "'";
   if (!HasTable(database, "schema_version")) {
     throw Error(Code::kInvalid, name + " is a database, but not a store of Lares");
   }
   Query query = database.Ask("SELECT version FROM schema_version");
   const std::int64_t version = query.Next() ? query.Int(0) : 0;
-  if (version == kSchemaVersion) return;
+  if (version >= 1 && version <= kSchemaVersion) return version;
   throw Error(Code::kInvalid, name + " has schema " + std::to_string(version) +
                                   "; this program knows schema " + std::to_string(kSchemaVersion))
       .WithHint("use the version of Lares that wrote it, or a newer one");
+}
+
+void Migrate(Database& database, std::int64_t version) {
+  if (version == kSchemaVersion) return;
+  Transaction transaction(database, Transaction::Kind::kWrite);
+  database.RunScript(kFromSchema1);
+  transaction.Commit();
 }
 
 void UseLog(Database& database, const std::filesystem::path& file) {
@@ -122,12 +142,13 @@ void UseLog(Database& database, const std::filesystem::path& file) {
 void PrepareForWriting(Database& database, const std::filesystem::path& file) {
   // Looked at before anything is changed: a file of somebody else stays as it is.
   const bool created = !HasTables(database);
-  if (!created) CheckVersion(database, file);
+  const std::int64_t version = created ? kSchemaVersion : CheckVersion(database, file);
   UseLog(database, file);
   database.Run("PRAGMA synchronous = FULL");
   database.Run("PRAGMA foreign_keys = ON");
   database.Run("PRAGMA temp_store = MEMORY");
   if (created) CreateTables(database);
+  Migrate(database, version);
 }
 
 }  // namespace lares::store

@@ -27,6 +27,7 @@ struct Blob {
 class BlobWriter {
  public:
   virtual ~BlobWriter() = default;
+  // Throws kUnavailable when there is no room: nothing is left of it, and the writer is spent.
   virtual void Append(std::string_view bytes) = 0;
   // Written, synced, renamed to its hash, folders synced. Once; nothing may be appended afterwards.
   // Throws kUnavailable when storage is full or failed.
@@ -96,6 +97,8 @@ struct EnvironmentVersion {
   std::string note;
   std::vector<LayerInfo> layers;  // by name; unchanged layers are carried over from the parent
   std::vector<std::string> changed_layers;  // added, replaced or removed by this version, by name
+  std::string type_iri;                     // of the environment when this version was made
+  std::string label;
   std::string etag() const { return "\"" + environment + "-" + std::to_string(number) + "\""; }
 };
 
@@ -123,8 +126,9 @@ struct NewVersion {
 // Every write that has returned survives `kill -9` and a power cut. All members are thread-safe;
 // readers never wait for a writer's disk. Throws kInvalid (an id that is no IsIdentifier, text that
 // is not UTF-8), kNotFound, kPreconditionFailed (if_match; the message names the current etag),
-// kUnavailable (storage full or failed: the store then refuses every further write until it is
-// opened again, `health` says why, and reading goes on), kIo (reading failed).
+// kUnavailable (no room for a blob: that write alone fails; a failed sync, rename or write of the
+// database: the store then refuses every further write until it is opened again, `health` says
+// why, and reading goes on), kIo (reading failed).
 class Store {
  public:
   virtual ~Store() = default;

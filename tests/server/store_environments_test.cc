@@ -105,6 +105,10 @@ TEST_F(EnvironmentTest, TypeAndLabelStayUnlessGiven) {
   EXPECT_EQ(store_->FindEnvironment("e")->type_iri, "t1");
   EXPECT_EQ(store_->FindEnvironment("e")->label, "l2");
   EXPECT_EQ(store_->FindEnvironment("e")->created, created);
+  EXPECT_EQ(store_->GetVersion("e", 1).label, "l1");
+  EXPECT_EQ(store_->GetVersion("e", 2).label, "l2");
+  EXPECT_EQ(store_->GetVersion("e", 2).type_iri, "t1");
+  EXPECT_EQ(store_->Log("e").back().label, "l1");
 }
 
 TEST_F(EnvironmentTest, LogIsNewestFirstAndVersionZeroTheLatest) {

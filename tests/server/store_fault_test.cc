@@ -94,12 +94,22 @@ void RunScript(Writer& write) {
   write.PutDocument("a", "third");
 }
 
+// An upload that is taken in, and the folder made for it.
+bool RestsNothingOn(std::string_view operation, const std::filesystem::path& path) {
+  const bool incoming = path.parent_path().filename() == "incoming";
+  return operation == "mkdir" || (incoming && (operation == "create" || operation == "write"));
+}
+
 // One life of a store on a disk that fails at operation `at`. False when it was not reached.
 bool Survives(int at, Fault fault, Unsynced unsynced) {
   const TemporaryFolder folder(FastFolder());
   SimulatedDisk disk(folder.path());
   Ledger ledger;
   std::set<std::string> under_way;
+  bool harmless = false;  // the first operation that failed was one on which nothing rests
+  disk.set_observer([&](std::string_view operation, const std::filesystem::path& path) {
+    if (!disk.has_failed()) harmless = RestsNothingOn(operation, path);
+  });
   disk.FailAt(at, fault);
   try {
     std::unique_ptr<Store> store = OpenOn(disk);
@@ -111,8 +121,19 @@ bool Survives(int at, Fault fault, Unsynced unsynced) {
       EXPECT_EQ(error.code(), Code::kUnavailable) << error.what();
     }
     under_way = write.under_way;
-    // From the first fault on nothing is accepted, and all that was accepted can be read.
-    if (disk.has_failed()) {
+    // Where nothing rests on what failed, that write alone was refused. Otherwise nothing is
+    // accepted from then on, and all that was accepted can be read.
+    if (disk.has_failed() && harmless) {
+      EXPECT_EQ(store->health(), "");
+      EXPECT_TRUE(fault == Fault::kPowerCut ||
+                  std::filesystem::is_empty(disk.folder() / "incoming"));
+      if (fault == Fault::kError) {
+        write.under_way.clear();
+        write.PutDocument("late", "x");
+        under_way.insert(write.under_way.begin(), write.under_way.end());
+      }
+      EXPECT_THAT(Missing(*store, ledger, under_way), IsEmpty());
+    } else if (disk.has_failed()) {
       EXPECT_NE(store->health(), "");
       EXPECT_EQ(CodeOf([&] { store->PutDocument(Recipe("late", "x")); }), Code::kUnavailable);
       EXPECT_EQ(CodeOf([&] { store->DeleteDocument(kRecipe, "b"); }), Code::kUnavailable);
@@ -126,6 +147,7 @@ bool Survives(int at, Fault fault, Unsynced unsynced) {
     EXPECT_TRUE(disk.has_failed()) << error.what();  // while opening
   }
   const bool reached = disk.has_failed();
+  disk.set_observer(nullptr);
   disk.Restart(unsynced, static_cast<unsigned>(at));
   {
     // Without checkpoints, so that all rests on the log.
@@ -176,20 +198,39 @@ TEST(StoreFaultTest, NothingIsLostWhenTheProcessDiesAndThePowerFailsLater) {
   SurvivesEverywhere(Fault::kPowerCut, Unsynced::kKept);
 }
 
-TEST(StoreFaultTest, FullDiskIsNamedAndReadingGoesOn) {
+TEST(StoreFaultTest, UploadThatFillsTheDiskIsRefusedAloneAndLaterOnesAreAccepted) {
+  const TemporaryFolder folder(FastFolder());
+  SimulatedDisk disk(folder.path());
+  const std::unique_ptr<Store> store = OpenOn(disk);
+  const std::unique_ptr<BlobWriter> writer = store->NewBlob();
+  writer->Append("fits");
+  disk.FailAt(1, Fault::kFull);
+  const Error error = ErrorOf([&] { writer->Append("does not fit"); });
+  EXPECT_EQ(error.code(), Code::kUnavailable);
+  EXPECT_THAT(error.what(), HasSubstr("there is no room"));
+  EXPECT_THROW(writer->Commit(), Error);
+  EXPECT_EQ(CodeOf([&] { store->NewBlob(); }), Code::kUnavailable);
+  EXPECT_TRUE(std::filesystem::is_empty(disk.folder() / "incoming"));
+  EXPECT_EQ(store->health(), "");
+  disk.FailAt(0, Fault::kNone);  // there is space again
+  EXPECT_EQ(store->PutDocument(Recipe("a", "x")).version, 1);
+}
+
+TEST(StoreFaultTest, DatabaseOnAFullDiskIsNamedAndReadingGoesOn) {
   const TemporaryFolder folder(FastFolder());
   SimulatedDisk disk(folder.path());
   const std::unique_ptr<Store> store = OpenOn(disk);
   store->PutDocument(Recipe("a", "kept"));
+  store->PutDocument(Recipe("c", "deleted in vain"));
   disk.FailAt(1, Fault::kFull);
-  const Error error = ErrorOf([&] { store->PutDocument(Recipe("b", "x")); });
+  const Error error = ErrorOf([&] { store->DeleteDocument(kRecipe, "c"); });
   EXPECT_EQ(error.code(), Code::kUnavailable);
-  EXPECT_THAT(error.what(), HasSubstr("No space left on device"));
-  EXPECT_THAT(store->health(), HasSubstr("No space left on device"));
+  EXPECT_THAT(error.what(), HasSubstr("disk is full"));
+  EXPECT_THAT(store->health(), HasSubstr("disk is full"));
   disk.FailAt(0, Fault::kNone);  // there is space again, but the store stays shut
   EXPECT_EQ(CodeOf([&] { store->PutDocument(Recipe("b", "x")); }), Code::kUnavailable);
   EXPECT_EQ(store->ReadBlob(store->FindDocument(kRecipe, "a")->blob.sha256), "kept");
-  EXPECT_EQ(store->ListDocuments(kRecipe).size(), 1U);
+  EXPECT_EQ(store->ListDocuments(kRecipe).size(), 2U);
 }
 
 TEST(StoreFaultTest, RefusalsDoNotEndWriting) {

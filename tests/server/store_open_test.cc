@@ -90,8 +90,27 @@ TEST_F(OpenTest, NewerSchemaIsRefusedByItsNumberAndLeftAlone) {
   const Error error = OpenError();
   EXPECT_EQ(error.code(), Code::kInvalid);
   EXPECT_THAT(error.what(), HasSubstr("schema 7"));
-  RunSql(folder_.path() / "lares.sqlite", "UPDATE schema_version SET version = 1");
+  RunSql(folder_.path() / "lares.sqlite", "UPDATE schema_version SET version = 2");
   EXPECT_TRUE(Open()->FindDocument(DocumentKind::kRecipe, "a"));
+}
+
+TEST_F(OpenTest, StoreOfTheFirstSchemaIsBroughtToThisOneWithItsVersions) {
+  {
+    const std::unique_ptr<Store> store = Open();
+    const std::unique_ptr<BlobWriter> writer = store->NewBlob();
+    NewVersion version = Version("e", {Layer("a", writer->Commit())});
+    version.type_iri = "t";
+    version.label = "l";
+    store->PutVersion(version);
+  }
+  RunSql(folder_.path() / "lares.sqlite",
+         "ALTER TABLE environment_versions DROP COLUMN type_iri;"
+         "ALTER TABLE environment_versions DROP COLUMN label;"
+         "UPDATE schema_version SET version = 1");
+  const std::unique_ptr<Store> store = Open();
+  EXPECT_EQ(store->GetVersion("e", 1).type_iri, "t");
+  EXPECT_EQ(store->GetVersion("e", 1).label, "l");
+  EXPECT_TRUE(store->Verify().empty());
 }
 
 TEST_F(OpenTest, DatabaseOfAnotherProgramIsRefusedAndLeftAlone) {

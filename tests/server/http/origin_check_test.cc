@@ -60,6 +60,16 @@ TEST(OriginCheckTest, OnlyTheServersOwnPagesMayWrite) {
   }
 }
 
+TEST(OriginCheckTest, WriteWithTwoOriginsOrAnEmptyOneIsRefused) {
+  Request twice = From("PUT", "localhost", "http://localhost");
+  EXPECT_TRUE(Allowed(twice));
+  twice.headers.Add("origin", "http://evil.example");
+  EXPECT_FALSE(Allowed(twice));
+  Request empty = From("PUT", "localhost");
+  empty.headers.Add("Origin", "");
+  EXPECT_FALSE(Allowed(empty));
+}
+
 TEST(OriginCheckTest, ABrowserThatSaysCrossSiteIsBelieved) {
   Request request = From("PUT", "localhost");
   request.headers.Add("Sec-Fetch-Site", "cross-site");

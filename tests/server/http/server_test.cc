@@ -237,8 +237,16 @@ TEST_F(ServerTest, AnswersHeadWithLengthAndWithoutBody) {
   Start();
   const std::string answer =
       Ask("HEAD /file HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
-  EXPECT_THAT(answer, AllOf(StartsWith("HTTP/1.1 200"), HasSubstr("Content-Length: 10\r\n"),
-                            ::testing::EndsWith("\r\n\r\n")));
+  EXPECT_THAT(answer,
+              AllOf(StartsWith("HTTP/1.1 200"), HasSubstr("Content-Length: 10\r\n"),
+                    HasSubstr("Accept-Ranges: bytes\r\n"), ::testing::EndsWith("\r\n\r\n")));
+}
+
+TEST_F(ServerTest, HeadClaimsNoRangesWhereGetHasNone) {
+  Start();
+  EXPECT_THAT(Ask("HEAD /hello HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n"),
+              AllOf(StartsWith("HTTP/1.1 200"), HasSubstr("Content-Length: 5\r\n"),
+                    Not(HasSubstr("Accept-Ranges"))));
 }
 
 TEST_F(ServerTest, ServesARangeOfAFile) {
@@ -274,7 +282,9 @@ TEST_F(ServerTest, AnswersARangeBehindTheEndWith416) {
 TEST_F(ServerTest, AnswersAKnownETagWith304) {
   Start();
   EXPECT_THAT(Get("/file", "If-None-Match: \"x\", W/\"f1\"\r\n"),
-              AllOf(StartsWith("HTTP/1.1 304"), ::testing::EndsWith("\r\n\r\n")));
+              AllOf(StartsWith("HTTP/1.1 304"), HasSubstr("ETag: \"f1\"\r\n"),
+                    Not(HasSubstr("Content-Length")), Not(HasSubstr("\nContent-Type")),
+                    ::testing::EndsWith("\r\n\r\n")));
 }
 
 TEST_F(ServerTest, RefusesAForeignHost) {
@@ -309,6 +319,80 @@ TEST_F(ServerTest, RefusesABodyOfTwoLengths) {
   EXPECT_THAT(Ask(head + "Content-Length: 3\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\n"),
               StartsWith("HTTP/1.1 400"));
   EXPECT_THAT(Ask(head + "Content-Length: -1\r\n\r\n"), StartsWith("HTTP/1.1 400"));
+}
+
+TEST_F(ServerTest, HeaderThatTwoReadersCouldReadDifferentlyEndsTheConnection) {
+  Start();
+  const std::string next = "GET /hello HTTP/1.1\r\nHost: localhost\r\n\r\n";
+  const std::string nul = std::string("X-A: b") + '\0' + "c";
+  for (const std::string& field :
+       {std::string("Content-Length : 3"), std::string("Content-Length: 3\r\nContent-Length: 3"),
+        std::string("Transfer-Encoding: chunked\r\nTransfer-Encoding: chunked"),
+        std::string("Transfer-Encoding: identity, chunked"), std::string("X-A: b\r\n folded"),
+        std::string("X-A: b\rX-B: c"), std::string("X-A: b\nX-B: c"), std::string("X A: b"),
+        std::string("Content-Length: -5"), std::string("Transfer-Encoding:"),
+        std::string("Origin:"), std::string(": b"), std::string("no colon"), nul,
+        std::string("Content-Length: 3\r\nTransfer-Encoding: chunked")}) {
+    RawClient client(server_->port());
+    client.Say("PUT /count HTTP/1.1\r\nHost: localhost\r\n" + field + "\r\n\r\n" + next);
+    client.FinishSaying();
+    EXPECT_THAT(client.Hear(), AllOf(StartsWith("HTTP/1.1 400"), HasSubstr("Connection: close"),
+                                     Not(HasSubstr("HTTP/1.1 200"))))
+        << field;
+  }
+}
+
+TEST_F(ServerTest, MalformedChunksEndTheConnection) {
+  Start();
+  for (const char* body :
+       {"-5\r\nabcde\r\n0\r\n\r\n", "0x5\r\nabcde\r\n0\r\n\r\n", " 5\r\nabcde\r\n0\r\n\r\n",
+        "5\nabcde\r\n0\r\n\r\n", "5\r\nabcdeXX0\r\n\r\n", "5 \r\nabcde\r\n0\r\n\r\n", "\r\n\r\n",
+        "fffffffffffffffff\r\nabc"}) {
+    RawClient client(server_->port());
+    client.Say(
+        std::string("PUT /count HTTP/1.1\r\nHost: localhost\r\nTransfer-Encoding: chunked\r\n"
+                    "\r\n") +
+        body + "GET /hello HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    client.FinishSaying();
+    EXPECT_THAT(client.Hear(), AllOf(StartsWith("HTTP/1.1 400"), HasSubstr("Connection: close"),
+                                     Not(HasSubstr("HTTP/1.1 200"))))
+        << body;
+  }
+  EXPECT_THAT(Ask("PUT /count HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n"
+                  "Transfer-Encoding: chunked\r\n\r\n5;a=b\r\nabcde\r\n0\r\n\r\n"),
+              AllOf(StartsWith("HTTP/1.1 200"), ::testing::EndsWith("\r\n\r\n5")));
+}
+
+TEST_F(ServerTest, SlowUploadsBeyondHalfOfTheThreadsAreToldToComeAgain) {
+  Start();
+  std::vector<std::unique_ptr<RawClient>> slow;
+  const std::string upload = "PUT /count HTTP/1.1\r\nHost: localhost\r\nContent-Length: 100000\r\n";
+  for (int i = 0; i < 2; ++i) {
+    slow.push_back(std::make_unique<RawClient>(server_->port()));
+    slow.back()->Say(upload + "Expect: 100-continue\r\n\r\n");
+    EXPECT_THAT(slow.back()->Hear("\r\n\r\n"), StartsWith("HTTP/1.1 100"));
+  }
+  for (int i = 0; i < 5; ++i) {
+    RawClient more(server_->port());
+    more.Say(upload + "\r\n");
+    EXPECT_THAT(more.Hear("\r\n\r\n"),
+                AllOf(StartsWith("HTTP/1.1 503"), HasSubstr("Retry-After: 5\r\n")));
+  }
+  EXPECT_THAT(Get("/hello"), StartsWith("HTTP/1.1 200"));
+  slow[0]->Say(std::string(100'000, 'x'));
+  EXPECT_THAT(slow[0]->Hear("\r\n\r\n100000"), StartsWith("HTTP/1.1 200"));
+}
+
+TEST_F(ServerTest, GivesUpOnABodyThatDribbles) {
+  options_.loop.limits.stall_time = milliseconds(150);
+  Start();
+  RawClient client(server_->port());
+  client.Say("PUT /count HTTP/1.1\r\nHost: localhost\r\nContent-Length: 60000\r\n\r\n");
+  const auto start = std::chrono::steady_clock::now();
+  while (std::chrono::steady_clock::now() - start < seconds(5) && client.Say("x") &&
+         client.Hear("HTTP/1.1 408", milliseconds(20)).empty()) {
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - start, seconds(4));
 }
 
 TEST_F(ServerTest, RefusesOversizedHeaders) {
