@@ -172,8 +172,9 @@ server::PutRequest ToPutRequest(DocumentKind kind, const http::Request& request,
   return put;
 }
 
-http::Response PutAnswerToResponse(const server::PutAnswer& answer, const std::string& collection) {
-  http::Response response = JsonAnswer(ToJson(answer), answer.document.version == 1 ? 201 : 200);
+http::Response PutAnswerToResponse(const server::PutAnswer& answer, const std::string& collection,
+                                   bool existed) {
+  http::Response response = JsonAnswer(ToJson(answer), existed ? 200 : 201);
   response.headers.Set("ETag", answer.document.etag());
   response.headers.Set("Location", collection + "/" + http::PercentEncode(answer.document.id));
   return response;
@@ -181,9 +182,9 @@ http::Response PutAnswerToResponse(const server::PutAnswer& answer, const std::s
 
 void AddDocumentPutRoutes(const DocumentRoutes& routes, http::Router& router, Context& context) {
   const auto put = [routes, &context](const http::Request& request) {
-    return PutAnswerToResponse(
-        context.knowledge.Put(ToPutRequest(routes.kind, request, context.store)),
-        routes.collection);
+    const server::PutRequest wanted = ToPutRequest(routes.kind, request, context.store);
+    const bool existed = context.store.FindDocument(routes.kind, wanted.id).has_value();
+    return PutAnswerToResponse(context.knowledge.Put(wanted), routes.collection, existed);
   };
   router.Add({"PUT", routes.collection + "/{id}", "put" + routes.noun, put, RdfUploadTypes(),
               kMaxDocumentBytes + (1u << 20)});

@@ -30,7 +30,8 @@ server::PutRequest ToPutRequest(store::DocumentKind kind, const http::Request& r
                                 const store::Store& store);
 
 // 201 for a first version, 200 for a later one; with ETag and Location.
-http::Response PutAnswerToResponse(const server::PutAnswer& answer, const std::string& collection);
+http::Response PutAnswerToResponse(const server::PutAnswer& answer, const std::string& collection,
+                                   bool existed);
 
 // Registers PUT and DELETE {collection}/{id}, POST and GET {collection}, GET {collection}/{id} (the
 // bytes as received, ?version=; ?as=info the description) and GET {collection}/{id}/versions.

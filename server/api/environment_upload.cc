@@ -115,6 +115,11 @@ std::string EarlyCondition(const http::Request& request, const store::Store& sto
   return condition;
 }
 
+bool IsEmpty(const store::NewVersion& version) {
+  return version.layers.empty() && version.removed_layers.empty() && version.type_iri.empty() &&
+         version.label.empty() && version.author.empty() && version.note.empty();
+}
+
 http::Response PutVersion(const http::Request& request, Context& context) {
   store::NewVersion version;
   version.environment = request.Param("id");
@@ -126,6 +131,10 @@ http::Response PutVersion(const http::Request& request, Context& context) {
   version.if_match = EarlyCondition(request, context.store, version.environment);
   VersionForm form(context.store, version);
   http::ReadMultipart(request, form.handler());
+  if (IsEmpty(version)) {
+    throw Error(Code::kInvalid,
+                "there is nothing to put: the form has neither a layer nor a field");
+  }
   if (!version.type_iri.empty()) {
     version.type_iri = context.knowledge.ResolveClass(version.type_iri).iri;
   }

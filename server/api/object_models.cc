@@ -90,7 +90,7 @@ http::Response PutModel(const http::Request& request, Context& context) {
   ModelForm form(context.store, put);
   http::ReadMultipart(request, form.handler(), {4096, 8192});
   if (!form.described()) throw Error(Code::kInvalid, "the form has no part 'description'");
-  return PutAnswerToResponse(context.knowledge.Put(put), kCollection);
+  return PutAnswerToResponse(context.knowledge.Put(put), kCollection, current.has_value());
 }
 
 http::Response ListModels(const http::Request& request, Context& context) {

@@ -25,7 +25,8 @@ void AddPriorRoutes(http::Router& router, Context& context) {
     if (prior.prior_format != "omics" && prior.prior_format != "tsv") {
       throw Error(Code::kInvalid, "?format= must be 'omics' or 'tsv'");
     }
-    return PutAnswerToResponse(context.knowledge.Put(prior), collection);
+    const bool existed = context.store.FindDocument(prior.kind, prior.id).has_value();
+    return PutAnswerToResponse(context.knowledge.Put(prior), collection, existed);
   };
   router.Add({"PUT", "/v1/priors/{id}", "putPrior", put, PriorUploadTypes(),
               kMaxDocumentBytes + (1u << 20)});

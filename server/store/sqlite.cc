@@ -33,7 +33,10 @@ Code CodeOf(int result) {
 }
 
 [[noreturn]] void Throw(sqlite3* connection, int result, std::string_view what) {
-  std::string message = "database: ";
+  const char* file = connection == nullptr ? nullptr : sqlite3_db_filename(connection, "main");
+  std::string message = "database";
+  if (file != nullptr && *file != '\0') message += std::string(" '") + file + "'";
+  message += ": ";
   message += connection == nullptr ? sqlite3_errstr(result) : sqlite3_errmsg(connection);
   const int system_error = connection == nullptr ? 0 : sqlite3_system_errno(connection);
   if ((result & 0xff) == SQLITE_IOERR && system_error != 0) {

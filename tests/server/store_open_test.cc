@@ -126,6 +126,7 @@ TEST_F(OpenTest, FileThatIsNoDatabaseIsRefusedAndLeftAlone) {
   const Error error = OpenError();
   EXPECT_EQ(error.code(), Code::kIo);
   EXPECT_THAT(error.what(), HasSubstr("not a database"));
+  EXPECT_THAT(error.what(), HasSubstr((folder_.path() / "lares.sqlite").string()));
   EXPECT_EQ(ReadFile(folder_.path() / "lares.sqlite"), text);
 }
 

@@ -48,6 +48,11 @@ TEST_F(ApiTest, OlderVersionsStayReadable) {
   EXPECT_EQ(Get("/v1/robots/nobody/versions").status, 404);
 }
 
+TEST_F(ApiTest, PutOfTheSameBytesCreatesNothing) {
+  EXPECT_EQ(Send("PUT", "/v1/robots/r", "text/turtle", "one").status, 201);
+  EXPECT_EQ(Send("PUT", "/v1/robots/r", "text/turtle", "one").status, 200);
+}
+
 TEST_F(ApiTest, AWriteBoundToAnETagIsRefusedOnceItIsOld) {
   const auto first = Send("PUT", "/v1/recipes/a", "text/turtle", "one", "If-None-Match", "*");
   ASSERT_EQ(first.status, 201);

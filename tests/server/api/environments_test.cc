@@ -103,6 +103,25 @@ TEST_F(EnvironmentsTest, OneTarHoldsAVersion) {
   EXPECT_EQ(json["layers"][0]["sha256"], Sha256Hex(kTurtle));
 }
 
+TEST_F(EnvironmentsTest, TarOfAVersionStaysTheSameWhenALaterOneChangesTheLabel) {
+  Put({Semantic(), {"label", "old", {}, "", ""}});
+  const auto before = Get("/v1/environments/lab/versions/1.tar");
+  Put({Semantic("<urn:x> <urn:y> <urn:z> .\n"), {"label", "new", {}, "", ""}});
+  const auto after = Get("/v1/environments/lab/versions/1.tar");
+  EXPECT_EQ(after.headers.Get("ETag"), before.headers.Get("ETag"));
+  EXPECT_EQ(after.body, before.body);
+  EXPECT_EQ(Json(Get("/v1/environments/lab/versions/1"))["label"], "old");
+  EXPECT_EQ(Json(Get("/v1/environments/lab/versions/2"))["label"], "new");
+}
+
+TEST_F(EnvironmentsTest, AnEmptyFormAddsNoVersion) {
+  Put({Semantic()});
+  const auto refused = Put({});
+  EXPECT_EQ(refused.status, 422) << refused.body;
+  EXPECT_THAT(Json(refused)["detail"].get<std::string>(), HasSubstr("nothing to put"));
+  EXPECT_EQ(Json(Get("/v1/environments/lab"))["latest"], 1);
+}
+
 TEST_F(EnvironmentsTest, TwoClientsCannotBothReplaceTheSameVersion) {
   const auto first = Put({Semantic()}, "If-None-Match", "*");
   ASSERT_EQ(first.status, 201);
