@@ -1,10 +1,12 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/error.h"
 #include "server/cli/command.h"
 #include "server/cli/documents.h"
 #include "server/cli/exit_codes.h"
 #include "server/cli/print.h"
+#include "server/http/url.h"
 
 namespace lares::cli {
 namespace {
@@ -38,8 +40,17 @@ int Run(int argc, const char* const* argv) {
     CLI::App app("Lares: knowledge-based semantic mapping for service robots", "lares");
     app.add_option("--server", options.server, "address of the server")
         ->envname("LARES_SERVER")
+        ->check([](const std::string& text) {
+          try {
+            http::ParseBaseUrl(text);
+            return std::string();
+          } catch (const Error& error) {
+            return std::string(error.what());
+          }
+        })
         ->capture_default_str();
     app.add_flag("--json", options.json, "print the server's JSON");
+    app.set_version_flag("--version", "lares " LARES_VERSION);
     app.require_subcommand(1);
     app.footer(
         "Examples:\n  lares serve\n  lares plan FindBottle --robot pioneer\n"

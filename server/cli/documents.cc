@@ -47,7 +47,7 @@ Json PutOne(Remote& remote, const DocumentCommand& command, const std::filesyste
     request.headers.Set(put.if_match == "none" ? "If-None-Match" : "If-Match",
                         put.if_match == "none" ? "*" : put.if_match);
   }
-  request.body = ReadFile(file, 256u << 20);
+  request.body = ReadLocalFile(file, 256u << 20);
   return Json::parse(remote.Send(request).body);
 }
 

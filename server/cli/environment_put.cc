@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "mapping/environment/layer_format.h"
 #include "server/cli/command.h"
 #include "server/cli/grid_files.h"
 #include "server/cli/print.h"
@@ -34,6 +35,10 @@ http::FormPart LayerPart(const std::string& layer, const fs::path& temporary) {
     throw CLI::ValidationError("--layer", "write it as NAME=FILE, not '" + layer + "'");
   }
   const std::string name = layer.substr(0, equals);
+  if (!environment::IsLayerName(name)) {
+    throw CLI::ValidationError("--layer", "'" + name + "' is no layer: use one of " +
+                                              Join(environment::LayerNames(), ", "));
+  }
   fs::path file = layer.substr(equals + 1);
   const std::string extension = ToLower(file.extension().string());
   if (name == "grid" && (extension == ".yaml" || extension == ".yml")) {

@@ -1,5 +1,7 @@
 #include "server/cli/grid_files.h"
 
+#include "server/cli/print.h"
+
 #include <array>
 #include <fstream>
 
@@ -33,10 +35,10 @@ void Add(std::ofstream& archive, const std::string& name, const std::string& byt
 }  // namespace
 
 void PackGrid(const fs::path& yaml, const fs::path& archive) {
-  const std::string text = ReadFile(yaml, environment::kMaxMapYamlBytes);
+  const std::string text = ReadLocalFile(yaml, environment::kMaxMapYamlBytes);
   const environment::MapYaml map = environment::ReadMapYaml(text, yaml.filename().string());
   const fs::path image = yaml.parent_path() / map.image;  // an absolute image stands for itself
-  const std::string bytes = ReadFile(image, kMaxImageBytes);
+  const std::string bytes = ReadLocalFile(image, kMaxImageBytes);
   std::ofstream out(archive, std::ios::binary | std::ios::trunc);
   const std::string image_name = image.filename().string();
   Add(out, yaml.filename().string(), map.image == image_name ? text : WithImage(text, image_name));

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/file.h"
 
 namespace lares::cli {
 namespace {
@@ -69,6 +70,15 @@ std::string TextOf(const Json& json, const std::string& name) {
   if (!json.is_object()) return "";
   const auto found = json.find(name);
   return found != json.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+std::string ReadLocalFile(const std::filesystem::path& file, std::uintmax_t max_bytes) {
+  try {
+    return ReadFile(file, max_bytes);
+  } catch (const Error& error) {
+    if (error.code() == Code::kTooLarge) throw;
+    throw Error(Code::kIo, error.what());
+  }
 }
 
 void Print(const std::string& text) {

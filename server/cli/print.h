@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -22,6 +23,9 @@ std::string FormatTime(const std::string& rfc3339);
 
 // A text member, "" when it is absent or no text.
 std::string TextOf(const Json& json, const std::string& name);
+
+// A file that was named on the command line. Throws kIo when it cannot be read, kTooLarge.
+std::string ReadLocalFile(const std::filesystem::path& file, std::uintmax_t max_bytes);
 
 void Print(const std::string& text);  // to standard output; throws kIo when that fails
 void PrintJson(const Json& json);

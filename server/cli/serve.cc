@@ -9,6 +9,7 @@
 #include "server/cli/command.h"
 #include "server/cli/print.h"
 #include "server/http/log.h"
+#include "server/http/origin_check.h"
 #include "server/http/server.h"
 #include "server/knowledge/knowledge.h"
 #include "server/store/store.h"
@@ -93,11 +94,27 @@ void AddServe(CLI::App& app, const Options&) {
   command->add_option("--port", serve->port, "0: any free one")
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();
-  command->add_option("--data", serve->data,
-                      "folder that everything is kept in (default: ~/.local/share/lares/store)");
+  command
+      ->add_option("--data", serve->data,
+                   "folder that everything is kept in (default: ~/.local/share/lares/store)")
+      ->check([](const std::string& text) {
+        return text.empty() ? std::string("names no folder") : std::string();
+      });
   command->add_option("--host", serve->host, "a loopback address: 127.0.0.1, localhost or ::1")
+      ->check([](const std::string& text) {
+        return http::IsLoopbackHost(text) ? std::string()
+                                          : "'" + text + "' is not this machine's loopback";
+      })
       ->capture_default_str();
   command->add_option("--log-level", serve->log_level, "debug, info, warning, error or off")
+      ->check([](const std::string& text) {
+        try {
+          http::ParseLogLevel(text);
+          return std::string();
+        } catch (const Error& error) {
+          return std::string(error.what());
+        }
+      })
       ->capture_default_str();
   command->callback([serve] { Serve(*serve); });
 }

@@ -37,8 +37,7 @@ std::uint64_t FileSize(const std::filesystem::path& file) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) {
-    throw Error(error == std::errc::no_such_file_or_directory ? Code::kNotFound : Code::kIo,
-                "cannot read '" + file.string() + "': " + error.message());
+    throw Error(Code::kIo, "cannot read '" + file.string() + "': " + error.message());
   }
   return size;
 }

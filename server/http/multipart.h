@@ -86,7 +86,7 @@ struct EncodedForm {
   std::vector<FormPiece> pieces;
   std::uint64_t length = 0;
 };
-// Throws kNotFound or kIo for a file that cannot be read.
+// Throws kIo for a file that cannot be read.
 EncodedForm EncodeForm(const std::vector<FormPart>& parts);
 
 }  // namespace lares::http

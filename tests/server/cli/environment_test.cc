@@ -65,7 +65,7 @@ TEST_F(CliEnvironmentTest, AGridIsPackedAndComesBackAsFilesThatMapServerLoads) {
 TEST_F(CliEnvironmentTest, AGridWithoutItsImageIsRefused) {
   const auto yaml = WriteGrid("floor.pgm");
   fs::remove(folder_ / "floor.pgm");
-  EXPECT_EQ(Lares({"environment", "put", "lab", "--layer", "grid=" + yaml.string()}).code, 4);
+  EXPECT_EQ(Lares({"environment", "put", "lab", "--layer", "grid=" + yaml.string()}).code, 1);
 }
 
 TEST_F(CliEnvironmentTest, OneLayerCanBeFetchedAlone) {
@@ -117,7 +117,10 @@ TEST_F(CliEnvironmentTest, AVersionThatIsNoLongerTheNewestIsAConflict) {
 TEST_F(CliEnvironmentTest, MalformedLayersAreRefused) {
   EXPECT_EQ(Lares({"environment", "put", "lab", "--layer", "semantic"}).code, 2);
   EXPECT_EQ(Lares({"environment", "put", "lab"}).code, 2);
-  EXPECT_EQ(Lares({"environment", "put", "lab", "--layer", "semantic=/no/such.ttl"}).code, 4);
+  EXPECT_EQ(Lares({"environment", "put", "lab", "--layer", "semantic=/no/such.ttl"}).code, 1);
+  const Outcome nonsense = Lares({"environment", "put", "lab", "--layer", "nonsense=x"});
+  EXPECT_EQ(nonsense.code, 2);
+  EXPECT_THAT(nonsense.err, HasSubstr("octomap"));
   const auto junk = Write("junk.bt", "no octree");
   EXPECT_EQ(Lares({"environment", "put", "lab", "--layer", "octomap=" + junk.string()}).code, 3);
   EXPECT_EQ(Lares({"environment", "get", "lab", "--out", Out("lab").string()}).code, 4);

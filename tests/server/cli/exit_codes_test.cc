@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "server/http/client.h"
 #include "server/http/problem.h"
 
@@ -29,6 +30,14 @@ TEST(ExitCodesTest, FaultsAreToldApart) {
   EXPECT_EQ(ExitCodeOf(std::runtime_error("x")), ExitCode::kInternal);
   EXPECT_EQ(ExitCodeOf("not-feasible"), ExitCode::kNoPlan);
   EXPECT_EQ(ExitCodeOf("of-a-later-version"), ExitCode::kInternal);
+}
+
+TEST(ExitCodesTest, TheGuideListsTheSameCodes) {
+  const std::string guide = ReadFile(std::string(LARES_SOURCE_DIR) + "/docs/guide.md");
+  for (const ExitMeaning& meaning : ExitMeanings()) {
+    EXPECT_THAT(guide, ::testing::HasSubstr("| " + std::to_string(static_cast<int>(meaning.code)) +
+                                            " | " + std::string(meaning.meaning) + " |\n"));
+  }
 }
 
 TEST(ExitCodesTest, TheTextNamesEveryCode) {
