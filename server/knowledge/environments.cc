@@ -65,6 +65,9 @@ Knowledge::VersionAnswer Knowledge::PutVersion(const store::NewVersion& original
                   {layer->file_name, 0, 0});
     }
     answer.warnings = DescribeClashes(view);
+    for (const semantic::MapObject& object : answer.objects) {
+      for (const auto& remark : object.remarks) answer.warnings.push_back(remark);
+    }
     if (answer.objects.empty()) answer.warnings.push_back("the map holds no object");
     for (store::LayerInfo& stored : version.layers) {
       if (stored.name == "semantic") {

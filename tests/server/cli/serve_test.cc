@@ -24,8 +24,7 @@ namespace {
 
 TEST(ServeDeathTest, ASignalStopsItCleanlyAndItSaysSo) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  const std::string data =
-      ::testing::TempDir() + "lares_serve_" + std::to_string(::getpid());
+  const std::string data = ::testing::TempDir() + "lares_serve_" + std::to_string(::getpid());
   EXPECT_EXIT(ServeAndStop(data), ::testing::ExitedWithCode(0),
               "\"message\":\"ready\".*\n.*\"message\":\"stopping\".*\n.*\"message\":\"stopped\"");
   std::filesystem::remove_all(data);
