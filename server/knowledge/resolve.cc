@@ -52,7 +52,7 @@ std::string AsWritten(const store::DocumentInfo& document, const std::string& ta
               "no " + std::string(store::ToString(kind)) + " is called " + Quoted(name));
   const std::vector<std::string> similar = SimilarNames(name, known);
   if (!similar.empty()) {
-    error.WithCandidates(similar).WithHint("did you mean " + Join(similar, " or ") + "?");
+    error.WithCandidates(similar);
   } else if (known.empty()) {
     error.WithHint("none is stored yet: put one first");
   }
@@ -125,8 +125,7 @@ recipes::Resource Knowledge::ResolveClass(const std::string& name) {
       const std::string label = view.Label(catalogue->classes_by_name.at(similar).front());
       if (std::find(labels.begin(), labels.end(), label) == labels.end()) labels.push_back(label);
     }
-    if (!labels.empty())
-      error.WithCandidates(labels).WithHint("did you mean " + Join(labels, " or ") + "?");
+    if (!labels.empty()) error.WithCandidates(labels);
     throw error;
   }
   if (named->second.size() > 1) {
