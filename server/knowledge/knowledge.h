@@ -66,6 +66,14 @@ struct PlanAnswer {
   std::vector<recipes::Resource> capable_robots;
 };
 
+// What a question is asked about, beside the catalogue. Each empty for none.
+struct ViewRequest {
+  std::string recipe;  // document id, IRI, label or local name
+  std::string robot;   // likewise
+  std::string environment;
+  int environment_version = 0;  // 0: newest
+};
+
 struct SeenObject {
   std::string environment;
   int version = 0;
@@ -150,6 +158,8 @@ class Knowledge {
   };
   std::vector<Module> Modules() const;
   rdf::View Catalogue() const;
+  // The catalogue with the overlays of `request` above it, closed.
+  rdf::View ViewFor(const ViewRequest& request);
   struct Counts {
     std::size_t terms = 0, asserted = 0, inferred = 0, views_cached = 0, clashes = 0;
   };

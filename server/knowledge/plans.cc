@@ -16,6 +16,25 @@ std::string OneTarget(const Knowledge::Resolved& resolved) {
 
 }  // namespace
 
+rdf::View Knowledge::ViewFor(const ViewRequest& request) {
+  State::Stack stack;
+  std::optional<store::DocumentInfo> robot, recipe;
+  std::optional<store::EnvironmentVersion> environment;
+  if (!request.robot.empty()) {
+    robot = Resolve(store::DocumentKind::kRobot, request.robot).document;
+    stack.robot = &*robot;
+  }
+  if (!request.recipe.empty()) {
+    recipe = Resolve(store::DocumentKind::kRecipe, request.recipe).document;
+    stack.recipe = &*recipe;
+  }
+  if (!request.environment.empty()) {
+    environment = state_->store.GetVersion(request.environment, request.environment_version);
+    stack.environment = &*environment;
+  }
+  return state_->ViewOf(stack);
+}
+
 PlanAnswer Knowledge::MakePlan(const PlanRequest& request) {
   const Resolved recipe = Resolve(store::DocumentKind::kRecipe, request.task);
   const Resolved robot = Resolve(store::DocumentKind::kRobot, request.robot);
