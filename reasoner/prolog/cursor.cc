@@ -27,7 +27,9 @@ std::span<const rdf::Triple> SubjectRun(const std::vector<rdf::Triple>& triples,
 
 Cursor::Cursor(std::shared_ptr<const rdf::View> view, const rdf::Pattern& pattern,
                rdf::Origin origin)
-    : view_(std::move(view)), pattern_(pattern), origin_(origin) {}
+    : view_(std::move(view)), pattern_(pattern), origin_(origin) {
+  if (view_->equality() != nullptr) Collect();
+}
 
 Cursor::Cursor(std::shared_ptr<const rdf::View> view, const rdf::Pattern& pattern,
                const rdf::Graph& graph)
@@ -38,7 +40,15 @@ Cursor::Cursor(std::shared_ptr<const rdf::View> view, const rdf::Pattern& patter
   } else if (view_->Estimate(pattern) > graph.triples.size() / kLookupCost) {
     run_ = graph.triples;
     scans_graph_ = true;
+  } else if (view_->equality() != nullptr) {
+    Collect();
   }
+}
+
+void Cursor::Collect() {
+  collected_ = view_->Match(pattern_);
+  run_ = collected_;
+  next_layer_ = view_->layers().size();
 }
 
 bool Cursor::Accepts(const rdf::Triple& triple) const {
@@ -49,7 +59,9 @@ bool Cursor::Accepts(const rdf::Triple& triple) const {
   if (graph_ != nullptr) {
     return std::binary_search(graph_->triples.begin(), graph_->triples.end(), triple);
   }
-  return origin_ == rdf::Origin::kAll || view_->IsAsserted(triple);
+  if (origin_ == rdf::Origin::kAsserted) return view_->IsAsserted(triple);
+  return !view_->has_literal_subjects() ||
+         view_->dictionary().Kind(triple.subject) != rdf::TermKind::kLiteral;
 }
 
 // Moves run_ to the next triple that is accepted; empty when there is none.

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "ontology/triples/view.h"
 
@@ -15,6 +16,8 @@ class Cursor {
   // Only what `graph`, one of the view's, asserts.
   Cursor(std::shared_ptr<const rdf::View> view, const rdf::Pattern& pattern,
          const rdf::Graph& graph);
+  Cursor(Cursor&&) = default;
+  Cursor& operator=(Cursor&&) = default;
 
   const rdf::Pattern& pattern() const { return pattern_; }
   // False when there are no more.
@@ -23,6 +26,7 @@ class Cursor {
   bool Done();
 
  private:
+  void Collect();
   bool Accepts(const rdf::Triple& triple) const;
   void Prefetch();
 
@@ -33,6 +37,7 @@ class Cursor {
   bool scans_graph_ = false;  // run_ is a part of graph_->triples, else of a layer
   std::size_t next_layer_ = 0;
   std::span<const rdf::Triple> run_;
+  std::vector<rdf::Triple> collected_;  // what run_ is of, where terms of the view are the same
   bool prefetched_ = false;
 };
 
