@@ -8,8 +8,8 @@
 
 #include "reasoner/owl/materialise.h"
 #include "tests/ontology/test_graph.h"
-#include "tests/reasoner/owl_author.h"
 #include "tests/reasoner/owl_naive.h"
+#include "tests/reasoner/random_ontology.h"
 
 namespace lares::owl {
 namespace {

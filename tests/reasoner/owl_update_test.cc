@@ -12,8 +12,8 @@
 #include "base/error.h"
 #include "reasoner/owl/update.h"
 #include "tests/ontology/test_graph.h"
-#include "tests/reasoner/owl_author.h"
 #include "tests/reasoner/owl_naive.h"
+#include "tests/reasoner/random_ontology.h"
 
 namespace lares::owl {
 namespace {

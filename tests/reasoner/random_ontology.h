@@ -1,4 +1,4 @@
-// Random ontologies for tests.
+// Random small ontologies that use every construct of OWL 2 RL, in the text of test_graph.h.
 #pragma once
 
 #include <random>
@@ -6,15 +6,14 @@
 
 namespace lares::testing {
 
-// Writes statements about a few classes (:C0 …), restrictions (:R0 …), properties, individuals and
-// lists, so few that rules meet. Each draws its shape at random, in the subset of Turtle that
-// GraphOf reads. Equal seeds write equal texts.
+// Statements about a few classes (:C0…), properties (:P0…), restrictions (:R0…), lists (:L0, :L1)
+// and individuals (:I0…); each draws its shape at random. Equal seeds give equal texts.
+// Without `equality` no shape makes two things one.
 class Author {
  public:
-  // Without `equality` no shape makes two things one.
   explicit Author(unsigned seed, bool equality = true) : random_(seed), equality_(equality) {}
 
-  std::string Statement();  // a line
+  std::string Statement();
   std::string Text(int statements);
   unsigned Below(unsigned limit) { return static_cast<unsigned>(random_() % limit); }
 
