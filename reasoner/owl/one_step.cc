@@ -51,7 +51,7 @@ Atom Bound(const Atom& atom, const std::vector<rdf::TermId>& binding) {
 struct OneStep::Search {
   const Clause& clause;
   const Alive& alive;
-  std::function<bool(const Search&)> reach;
+  const std::function<bool(const Search&)>& reach;
   std::vector<rdf::TermId> binding;
   std::vector<std::uint32_t> order;  // pattern numbers; those before the depth are satisfied
 };
@@ -68,7 +68,11 @@ OneStep::OneStep(const rdf::View& view, std::size_t max_steps, std::stop_token s
         MentionsEquality(rule.heads)) {
       continue;
     }
-    rule.list_use == ListUse::kNone ? AddRule(rule) : AddListInstances(rule);
+    if (rule.is_transitive) {
+      AddTransitiveRule(rule);
+    } else {
+      rule.list_use == ListUse::kNone ? AddRule(rule) : AddListInstances(rule);
+    }
   }
 }
 
@@ -85,12 +89,36 @@ void OneStep::AddRule(const Rule& rule) {
   AddClause(std::move(clause));
 }
 
+// Only what follows from its schema is asked of the clause.
+void OneStep::AddTransitiveRule(const Rule& rule) {
+  transitive_rules_.push_back(rule);
+  if (rule.schema.empty()) return;
+  Clause clause{rule.schema, rule.heads, rule.variables, {}};
+  clause.body.insert(clause.body.end(), rule.data.begin(), rule.data.end());
+  const auto number = static_cast<std::uint32_t>(clauses_.size());
+  for (std::uint32_t i = 0; i < rule.schema.size(); ++i) {
+    by_body_[KeyOf(clause.body[i])].push_back({number, i});
+  }
+  clauses_.push_back(std::move(clause));
+}
+
+bool OneStep::IsTransitive(rdf::TermId property, const Alive& alive) const {
+  return std::any_of(transitive_rules_.begin(), transitive_rules_.end(), [&](const Rule& rule) {
+    std::vector<rdf::TermId> binding(rule.variables);
+    if (!UnifySlot(rule.data[0].predicate, property, binding)) return false;
+    return std::all_of(rule.schema.begin(), rule.schema.end(), [&](const Atom& atom) {
+      const rdf::Triple premise = Ground(atom, binding);
+      return view_.Contains(premise) && (!alive || alive(premise));
+    });
+  });
+}
+
 // Each way to satisfy the schema patterns, with each reading of the list, is a clause.
 void OneStep::AddListInstances(const Rule& rule) {
   const Clause schema{rule.schema, {}, rule.variables, {}};
   const Alive all;
   const auto objects_of = [this](rdf::TermId s, rdf::TermId p) { return view_.Objects(s, p); };
-  const auto add = [&](const Search& found) {
+  const std::function<bool(const Search&)> add = [&](const Search& found) {
     std::vector<rdf::Triple> premises;
     for (const Atom& atom : rule.schema) premises.push_back(Ground(atom, found.binding));
     for (const ListReading& reading : ReadLists(found.binding[rule.list], words_, objects_of)) {
@@ -170,18 +198,20 @@ bool OneStep::IsTrivial(const rdf::Triple& triple) const {
 
 void OneStep::ForwardFrom(const rdf::Triple& triple, const Alive& alive,
                           const VisitConclusion& visit) {
-  const auto reach = [&](const Search& search) {
+  const std::function<bool(const Search&)> reach = [&](const Search& search) {
     for (const Atom& head : search.clause.heads) {
       if (!visit(Ground(head, search.binding))) return false;
     }
     return true;
   };
   const auto run = [&](const Clause& clause, std::size_t satisfied) {
-    Search search{clause, alive, reach, std::vector<rdf::TermId>(clause.variables), {}};
+    scratch_.assign(clause.variables, rdf::kAnyTerm);
+    const bool is_fixed = satisfied == clause.body.size();
+    if (!is_fixed && !UnifyAtom(clause.body[satisfied], triple, scratch_)) return true;
+    Search search{clause, alive, reach, scratch_, {}};
     search.order.resize(clause.body.size());
     std::iota(search.order.begin(), search.order.end(), 0U);
-    if (satisfied == clause.body.size()) return Join(search, 0);
-    if (!UnifyAtom(clause.body[satisfied], triple, search.binding)) return true;
+    if (is_fixed) return Join(search, 0);
     std::swap(search.order[0], search.order[satisfied]);
     return Join(search, 1);
   };
@@ -197,7 +227,7 @@ void OneStep::BackwardTo(const rdf::Triple& triple, const Alive& alive,
                          const VisitPremises& visit) {
   if (IsTrivial(triple)) return;
   std::vector<rdf::Triple> premises;
-  const auto reach = [&](const Search& search) {
+  const std::function<bool(const Search&)> reach = [&](const Search& search) {
     premises = search.clause.fixed;
     for (const Atom& atom : search.clause.body) premises.push_back(Ground(atom, search.binding));
     return visit(premises);
@@ -206,8 +236,9 @@ void OneStep::BackwardTo(const rdf::Triple& triple, const Alive& alive,
     const Clause& clause = clauses_[use.clause];
     const auto is_alive = [&](const rdf::Triple& premise) { return !alive || alive(premise); };
     if (!std::all_of(clause.fixed.begin(), clause.fixed.end(), is_alive)) return true;
-    Search search{clause, alive, reach, std::vector<rdf::TermId>(clause.variables), {}};
-    if (!UnifyAtom(clause.heads[use.atom], triple, search.binding)) return true;
+    scratch_.assign(clause.variables, rdf::kAnyTerm);
+    if (!UnifyAtom(clause.heads[use.atom], triple, scratch_)) return true;
+    Search search{clause, alive, reach, scratch_, {}};
     search.order.resize(clause.body.size());
     std::iota(search.order.begin(), search.order.end(), 0U);
     return Join(search, 0);

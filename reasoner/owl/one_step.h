@@ -25,8 +25,9 @@ struct TripleHash {
 };
 using TripleSet = std::unordered_set<rdf::Triple, TripleHash>;
 
-// Every rule of RuleTable() that concludes a triple, over a closed view without equality: rules
-// about owl:sameAs conclude nothing there and are left out, as are contradictions. One thread.
+// The rules of RuleTable() that conclude a triple, over a closed view without equality: those about
+// owl:sameAs conclude nothing there and are left out. So are contradictions, and that pairs of a
+// transitive property make pairs: whoever asks does that for all pairs at once. One thread.
 class OneStep {
  public:
   // A triple takes part as a premise when `Alive` says so.
@@ -45,9 +46,18 @@ class OneStep {
   // leaves out as trivial.
   void BackwardTo(const rdf::Triple& triple, const Alive& alive, const VisitPremises& visit);
 
+  // What the closure leaves out unless it is asserted.
+  bool IsTrivial(const rdf::Triple& triple) const;
+  // Whether pairs x p y, y p z make x p z while `alive`.
+  bool IsTransitive(rdf::TermId property, const Alive& alive) const;
+  // Work done by the caller that counts as steps.
+  void Count(std::size_t steps) { steps_ += steps; }
+
   // Nothing that was said since can be relied on.
   bool gave_up() const { return steps_ > max_steps_; }
-  std::size_t steps() const { return steps_; }
+
+  const rdf::View& view() const { return view_; }
+  const Vocabulary& words() const { return words_; }
 
  private:
   // A rule, or an instance of a rule for one reading of a list.
@@ -64,11 +74,11 @@ class OneStep {
   struct Search;
 
   void AddRule(const Rule& rule);
+  void AddTransitiveRule(const Rule& rule);
   void AddListInstances(const Rule& rule);
   void AddClause(Clause clause);
   std::uint64_t KeyOf(const Atom& atom) const;
   bool MentionsEquality(const std::vector<Atom>& atoms) const;
-  bool IsTrivial(const rdf::Triple& triple) const;
   template <typename Visit>
   void ForUses(const Index& index, const rdf::Triple& triple, Visit&& visit) const;
   bool Join(Search& search, std::size_t depth);
@@ -77,11 +87,13 @@ class OneStep {
 
   const rdf::View& view_;
   rdf::Dictionary& dictionary_;
-  Vocabulary words_;
+  const Vocabulary words_;
   std::size_t max_steps_;
   std::stop_token stop_;
   std::size_t steps_ = 0;
   std::vector<Clause> clauses_;
+  std::vector<Rule> transitive_rules_;
+  std::vector<rdf::TermId> scratch_;
   Index by_body_, by_head_;
   std::unordered_map<rdf::Triple, std::vector<std::uint32_t>, TripleHash> by_fixed_;
 };

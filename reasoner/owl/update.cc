@@ -1,7 +1,6 @@
 #include "reasoner/owl/update.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <iterator>
 #include <optional>
 #include <set>
@@ -77,8 +76,9 @@ class Change {
   // Nothing where recomputation is needed or cheaper.
   std::optional<rdf::Inference> Run() {
     if (NeedsRecomputation()) return std::nullopt;
-    Retracted retracted;
-    if (!removed_.empty() && !Retract(retracted)) return std::nullopt;
+    std::optional<Retracted> outcome = removed_.empty() ? Retracted() : Retract();
+    if (!outcome) return std::nullopt;
+    Retracted& retracted = *outcome;
     Triples kept = StoredIn(layer_);
     std::erase_if(kept, [&](const auto& triple) { return retracted.deleted.contains(triple); });
     rdf::Inference inference;
@@ -121,15 +121,14 @@ class Change {
            std::any_of(removed_.begin(), removed_.end(), extends_list_below);
   }
 
-  // False when it would cost more than to begin anew.
-  bool Retract(Retracted& retracted) const {
-    OneStep step(whole_, 1000 + 3 * before_.size(), stop_);
-    const Retraction retraction{
-        step, [&](const rdf::Triple& triple) { return layer_.Contains(triple); },
-        [&](const rdf::Triple& triple) { return IsIn(asserted_, triple); }, removed_};
-    static const bool dred = std::getenv("LARES_DRED") != nullptr;
-    retracted = dred ? DeleteAndRederive(retraction) : BackwardForward(retraction);
-    return !step.gave_up();
+  // Nothing when it would cost more than to begin anew. A step costs about what the engine spends
+  // on a triple.
+  std::optional<Retracted> Retract() const {
+    OneStep step(whole_, 1000 + before_.size(), stop_);
+    return DeleteAndRederive({step,
+                              [&](const rdf::Triple& triple) { return layer_.Contains(triple); },
+                              [&](const rdf::Triple& triple) { return IsIn(asserted_, triple); },
+                              removed_, 1000 + before_.size() / 4});
   }
 
   void KeepClashes(const TripleSet& deleted, rdf::Inference& inference) const {
