@@ -121,8 +121,8 @@ class Change {
            std::any_of(removed_.begin(), removed_.end(), extends_list_below);
   }
 
-  // Nothing when it would cost more than to begin anew: a step costs about a third of what the engine
-  // spends on a triple.
+  // Nothing when it would cost more than to begin anew: a step costs about a third of what the
+  // engine spends on a triple.
   std::optional<Retracted> Retract() const {
     OneStep step(whole_, 1000 + 3 * before_.size(), stop_);
     return DeleteAndRederive({step,
