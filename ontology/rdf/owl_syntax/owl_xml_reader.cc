@@ -116,8 +116,9 @@ void OwlXmlReader::Start(const XmlElement& element) {
     Refuse("the element " + Quoted(element.name) + " is not of OWL's namespace", point_);
   }
   if (open_.empty()) return StartOntology(element);
-  if (open_.back() == Open::kEmpty || open_.back() == Open::kText) {
-    Refuse("an element within one that has none", point_);
+  if (open_.back() == Open::kEmpty || open_.back() == Open::kText ||
+      open_.back() == Open::kDeclared) {
+    Refuse("the element " + Quoted(element.name) + " is no part of OWL/XML here", point_);
   }
   open_.push_back(StartInside(element));
 }
