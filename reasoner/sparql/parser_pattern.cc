@@ -210,6 +210,7 @@ void Parser::ParseGroupOrUnion(Pattern& group) {
 
 void Parser::ParseGraph(Pattern& group) {
   ExpectWord("GRAPH");
+  query_.uses_graphs = true;
   Pattern graph;
   graph.kind = Kind::kGraph;
   graph.node = tokens_.Peek().kind == Token::Kind::kVariable ? Variable(ParseVariable())

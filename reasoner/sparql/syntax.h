@@ -216,6 +216,7 @@ struct Query {
   std::vector<Column> columns;
   std::vector<std::string> variables;
   std::map<std::string, std::string> prefixes;
+  bool uses_graphs = false;  // has GRAPH somewhere
   std::string base_iri;
 };
 
