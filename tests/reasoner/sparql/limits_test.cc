@@ -58,8 +58,9 @@ TEST(SparqlLimits, ACrossProductOfEverythingStopsInTime) {
         With("SELECT * ", " OFFSET 1000000000000"), With("ASK ", "OFFSET 1000000000000"),
         std::string("SELECT (COUNT(*) AS ?n) { ?x (:next|!:next)* ?y . ?y (:next/:next)+ ?z }"),
         std::string(
-            "SELECT * { ?a ?b ?c FILTER NOT EXISTS { ?d ?e ?f . ?g ?h ?i FILTER(?a = 1) }}"),
-        std::string("SELECT * { VALUES ?q { 1 } ?a ?b ?c . ?d ?e ?f FILTER(?b = 1) }")}) {
+            "SELECT * { ?a ?b ?c FILTER NOT EXISTS { ?d ?e ?f . ?g ?h ?i FILTER(?f = ?a) } }"),
+        std::string(
+            "SELECT * { VALUES ?q { 1 } ?a ?b ?c . ?d ?e ?f . ?g ?h ?i FILTER(?b = ?i) }")}) {
     const Stopped stopped = AskCrowd(query, limits);
     EXPECT_EQ(stopped.code, Code::kTimeout) << query;
     EXPECT_LT(stopped.after, 5s) << query;
@@ -67,13 +68,13 @@ TEST(SparqlLimits, ACrossProductOfEverythingStopsInTime) {
 }
 
 TEST(SparqlLimits, KeptRowsStopAtTheMemoryLimit) {
-  const Limits limits{60s, SIZE_MAX, 8u << 20};
+  const Limits limits{20s, SIZE_MAX, 8u << 20};
   for (const std::string& query :
        {With("SELECT * ", " ORDER BY ?a"), With("SELECT DISTINCT * "),
         With("SELECT ?a ?d ?g (COUNT(*) AS ?n) ", " GROUP BY ?a ?d ?g"),
         With("SELECT (GROUP_CONCAT(?c) AS ?n) "), With("SELECT (COUNT(DISTINCT *) AS ?n) "),
         std::string("SELECT * { ?x :p 1 MINUS { ?x ?b ?c . ?d ?e ?f } }"),
-        With("CONSTRUCT { ?a ?e ?i } "),
+        With("CONSTRUCT { ?d ?h ?i } "),
         std::string("SELECT (COUNT(*) AS ?n) { { SELECT ?a ?d { ?a ?b ?c . ?d ?e ?f } } }")}) {
     EXPECT_EQ(AskCrowd(query, limits).code, Code::kTooLarge) << query;
   }
@@ -85,11 +86,11 @@ TEST(SparqlLimits, TextThatDoublesStopsAtTheMemoryLimit) {
     const std::string from = "?v" + std::to_string(i);
     query += " BIND(CONCAT(" + from + "," + from + ") AS ?v" + std::to_string(i + 1) + ")";
   }
-  EXPECT_EQ(AskCrowd(query + "}", {60s, SIZE_MAX, 8u << 20}).code, Code::kTooLarge);
+  EXPECT_EQ(AskCrowd(query + "}", {20s, SIZE_MAX, 8u << 20}).code, Code::kTooLarge);
 }
 
 TEST(SparqlLimits, ComputedTermsOfRowsThatAreGoneTakeNoMemory) {
-  const Limits limits{60s, SIZE_MAX, 1u << 20};
+  const Limits limits{20s, SIZE_MAX, 1u << 20};
   ParseOptions options;
   options.prefixes = {{"", "http://example.org/"}};
   const Query query = Parse(
@@ -112,9 +113,9 @@ TEST(SparqlLimits, RegularExpressionsThatExplodeAreStopped) {
 }
 
 TEST(SparqlLimits, TooManyRowsAreRefusedNotCut) {
-  EXPECT_EQ(AskCrowd("SELECT * { ?s ?p ?o }", {60s, 100, 64u << 20}).code, Code::kTooLarge);
-  EXPECT_EQ(AskCrowd("CONSTRUCT WHERE { ?s ?p ?o }", {60s, 100, 64u << 20}).code, Code::kTooLarge);
-  EXPECT_EQ(AskCrowd("SELECT * { ?s ?p ?o } LIMIT 100", {60s, 100, 64u << 20}).code,
+  EXPECT_EQ(AskCrowd("SELECT * { ?s ?p ?o }", {20s, 100, 64u << 20}).code, Code::kTooLarge);
+  EXPECT_EQ(AskCrowd("CONSTRUCT WHERE { ?s ?p ?o }", {20s, 100, 64u << 20}).code, Code::kTooLarge);
+  EXPECT_EQ(AskCrowd("SELECT * { ?s ?p ?o } LIMIT 100", {20s, 100, 64u << 20}).code,
             Code::kInternal);
 }
 
@@ -125,7 +126,7 @@ TEST(SparqlLimits, AStopIsObeyed) {
     source.request_stop();
   });
   const Stopped stopped =
-      AskCrowd(With("SELECT (COUNT(*) AS ?n) "), {60s, SIZE_MAX, 64u << 20}, source.get_token());
+      AskCrowd(With("SELECT (COUNT(*) AS ?n) "), {20s, SIZE_MAX, 64u << 20}, source.get_token());
   later.join();
   EXPECT_EQ(stopped.code, Code::kTimeout);
   EXPECT_LT(stopped.after, 5s);
