@@ -14,6 +14,7 @@
 #include "server/http/listen.h"
 #include "server/http/log.h"
 #include "server/http/long_transfers.h"
+#include "server/http/open_sink.h"
 #include "server/http/problem.h"
 #include "server/http/url.h"
 
@@ -36,6 +37,7 @@ constexpr std::uint64_t kShortAnswer = 1024 * 1024;
 struct Exchange {
   Connection& connection;
   LongTransfers& long_transfers;
+  LongTransfers& event_streams;
   Request request;
   Service::Admission admission;
   bool admitted = false;
@@ -44,11 +46,14 @@ struct Exchange {
   bool keep_open = true;
   bool is_long = false;  // counted in `long_transfers`
   bool has_ranges = false;
+  bool is_http_1_0 = false;
   int status = 0;
   std::uint64_t body_bytes = 0;
+  std::optional<EventsBody> events;
+  std::shared_ptr<void> place;  // among the event streams
 
-  Exchange(Connection& from, LongTransfers& transfers)
-      : connection(from), long_transfers(transfers) {}
+  Exchange(Connection& from, LongTransfers& transfers, LongTransfers& streams)
+      : connection(from), long_transfers(transfers), event_streams(streams) {}
   ~Exchange() {
     if (is_long) long_transfers.End();
   }
@@ -56,6 +61,11 @@ struct Exchange {
   Exchange& operator=(const Exchange&) = delete;
 
   bool BeginLongTransfer() { return is_long = is_long || long_transfers.TryBegin(); }
+  bool BeginEventStream() {
+    if (!event_streams.TryBegin()) return false;
+    place = std::shared_ptr<void>(nullptr, [&streams = event_streams](void*) { streams.End(); });
+    return true;
+  }
 };
 thread_local Exchange* current = nullptr;
 
@@ -67,7 +77,7 @@ std::string WithoutAdditions(std::string_view head, const Exchange& exchange) {
       kept.erase(at + 2, line.size() - 2);
     }
   };
-  if (exchange.status == 304) drop("\r\nContent-Length: 0\r\n");
+  if (exchange.status == 304 || exchange.events) drop("\r\nContent-Length: 0\r\n");
   if (!exchange.has_ranges) drop("\r\nAccept-Ranges: bytes\r\n");
   return kept;
 }
@@ -170,6 +180,10 @@ ProblemError TooManyTransfers() {
 void AdmitRequest(const Service& service, httplib::Request& from) {
   Exchange& exchange = *current;
   exchange.request = ToRequest(from);
+  exchange.request.watch_client = [&connection = exchange.connection] {
+    return connection.WatchPeer();
+  };
+  exchange.is_http_1_0 = from.version == "HTTP/1.0";
   exchange.chunked = exchange.request.has_body && !exchange.request.content_length;
   try {
     CheckHeader(from, exchange.request);
@@ -207,12 +221,56 @@ void SendFile(const FileBody& file, httplib::DataSink& sink) {
   }
 }
 
-void GiveResponse(Response response, httplib::Response& to) {
-  Exchange& exchange = *current;
-  if (exchange.request.method != "HEAD" && BodyLength(response) > kShortAnswer &&
-      !exchange.BeginLongTransfer()) {
+// Refuses what would hold more threads or places than there are for its kind.
+void LimitTransfers(Exchange& exchange, Response& response) {
+  if (exchange.request.method == "HEAD") return;
+  const bool is_long =
+      BodyLength(response) > kShortAnswer || std::holds_alternative<OpenBody>(response.body);
+  if (is_long && !exchange.BeginLongTransfer()) {
     response = Service::Refuse(TooManyTransfers(), exchange.request.id);
   }
+  if (std::holds_alternative<EventsBody>(response.body) && !exchange.BeginEventStream()) {
+    response = Service::Refuse(
+        ProblemError("unavailable", "every place for an event stream is taken: " +
+                                        std::to_string(exchange.event_streams.max()) +
+                                        " clients are being told of events")
+            .WithHeader("Retry-After", "5"),
+        exchange.request.id);
+  }
+}
+
+void GiveOpenBody(OpenBody body, const std::string& type, httplib::Response& to) {
+  Exchange& exchange = *current;
+  const auto produce = [&exchange, body = std::move(body)](httplib::DataSink& to_client) {
+    BufferedSink sink(exchange.connection, [&to_client](std::string_view piece) {
+      return to_client.write(piece.data(), piece.size());
+    });
+    std::exception_ptr fault;
+    try {
+      body.produce(sink);
+    } catch (...) {
+      fault = std::current_exception();
+    }
+    exchange.body_bytes = sink.bytes();
+    sink.Flush();  // what came before a fault is the client's too
+    if (fault) std::rethrow_exception(fault);
+    to_client.done();
+    return true;
+  };
+  if (exchange.is_http_1_0) {
+    exchange.keep_open = false;
+    to.set_header("Connection", "close");
+    to.set_content_provider(
+        type, [produce](size_t, httplib::DataSink& to_client) { return produce(to_client); });
+  } else {
+    to.set_chunked_content_provider(
+        type, [produce](size_t, httplib::DataSink& to_client) { return produce(to_client); });
+  }
+}
+
+void GiveResponse(Response response, httplib::Response& to) {
+  Exchange& exchange = *current;
+  LimitTransfers(exchange, response);
   exchange.has_ranges = response.headers.Get("Accept-Ranges") == "bytes";
   exchange.status = to.status = response.status;
   exchange.body_bytes = exchange.request.method == "HEAD" ? 0 : BodyLength(response);
@@ -228,6 +286,18 @@ void GiveResponse(Response response, httplib::Response& to) {
   if (auto* text = std::get_if<std::string>(&response.body)) {
     to.body = std::move(*text);
     return;
+  }
+  if (auto* events = std::get_if<EventsBody>(&response.body)) {
+    if (!exchange.is_http_1_0) to.set_header("Transfer-Encoding", "chunked");
+    to.set_header("Connection", "close");
+    if (exchange.request.method == "HEAD") return;
+    exchange.keep_open = false;
+    exchange.events = std::move(*events);
+    return;
+  }
+  if (auto* open = std::get_if<OpenBody>(&response.body)) {
+    to.headers.erase("Content-Type");
+    return GiveOpenBody(std::move(*open), type, to);
   }
   const std::uint64_t length = BodyLength(response);
   if (length == 0) return;
@@ -379,16 +449,17 @@ struct Server::State {
   int port = 0;
   std::unique_ptr<Engine> engine;
   std::unique_ptr<LongTransfers> long_transfers;
+  std::unique_ptr<LongTransfers> event_streams;
   std::unique_ptr<ConnectionLoop> loop;
 
-  bool Serve(Connection& connection, bool closing) const;
+  Served Serve(Connection& connection, bool closing) const;
   void Record(const Exchange& exchange, Clock::duration duration) const;
 };
 
-bool Server::State::Serve(Connection& connection, bool closing) const {
+Served Server::State::Serve(Connection& connection, bool closing) const {
   const Clock::time_point start = Clock::now();
   std::string header = connection.TakeHeader();
-  Exchange exchange(connection, *long_transfers);
+  Exchange exchange(connection, *long_transfers, *event_streams);
   try {
     CheckRawHeader(header);
   } catch (const ProblemError& error) {
@@ -396,7 +467,7 @@ bool Server::State::Serve(Connection& connection, bool closing) const {
     exchange.status = FindProblemKind(error.problem_code()).status;
     connection.Linger(kShortBody);
     Record(exchange, Clock::now() - start);
-    return false;
+    return {};
   }
   header = MarkRange(std::move(header));
   const std::size_t header_bytes = header.size();
@@ -413,12 +484,16 @@ bool Server::State::Serve(Connection& connection, bool closing) const {
   current = nullptr;
   const bool flushed = connection.Flush();
   Record(exchange, Clock::now() - start);
-  if (!flushed) return false;
+  if (!flushed) return {};
   if (exchange.request.has_body && !exchange.body_read) {
     connection.Linger(exchange.request.content_length.value_or(UINT64_MAX));
-    return false;
+    return {};
   }
-  return open && exchange.keep_open;
+  if (exchange.events) {
+    return {false, std::move(exchange.events->subscribe), !exchange.is_http_1_0,
+            std::move(exchange.place)};
+  }
+  return {open && exchange.keep_open, {}, false, {}};
 }
 
 void Server::State::Record(const Exchange& exchange, Clock::duration duration) const {
@@ -447,6 +522,10 @@ Server::Server(std::shared_ptr<const Service> service, const ServerOptions& opti
   state.options = options;
   state.engine = std::make_unique<Engine>(*state.service);
   state.long_transfers = std::make_unique<LongTransfers>(std::max(1, options.loop.threads / 2));
+  const int half_of_connections =
+      static_cast<int>(std::min<std::size_t>(options.loop.max_connections / 2, INT32_MAX));
+  state.event_streams = std::make_unique<LongTransfers>(
+      std::max(1, std::min(options.loop.max_event_streams, half_of_connections)));
   const Listener listener = ListenOnLoopback(options.host, options.port);
   state.port = listener.port;
   state.loop =
