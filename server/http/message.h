@@ -82,7 +82,7 @@ struct StreamBody {
 class OpenSink {
  public:
   virtual ~OpenSink() = default;
-  // Buffers up to 32 KiB; beyond it, and when 100 ms have passed since something was sent, sends
+  // Buffers up to 32 KiB; beyond it, or 100 ms after the beginning or what was sent last, sends
   // and waits for a client that reads slowly (not longer than ConnectionLimits allow). Throws kIo
   // once the client has gone.
   virtual void Write(std::string_view bytes) = 0;
@@ -93,9 +93,10 @@ class OpenSink {
 };
 
 // Made while it is sent, of a length that nobody knows beforehand: chunked in HTTP/1.1, ended by
-// the connection's end in 1.0. Counts as a long transfer: it holds a thread, and is refused with
-// 503 when too many are. What `produce` throws cuts the answer off, so that the client sees that it
-// is not whole.
+// the connection's end in 1.0. What is over before anything was sent becomes an ordinary answer
+// with a length, and what `produce` throws before that a problem document of its own; thrown later
+// it cuts the answer off, so that the client sees that it is not whole. Counts as a long transfer:
+// it holds a thread, and is refused with 503 when too many are.
 struct OpenBody {
   std::function<void(OpenSink&)> produce;
 };

@@ -47,6 +47,9 @@ struct Exchange {
   bool is_long = false;  // counted in `long_transfers`
   bool has_ranges = false;
   bool is_http_1_0 = false;
+  bool is_last = false;        // of its connection, as httplib sees it
+  bool has_no_length = false;  // which httplib does not know of
+  bool is_sent = false;        // by us, head and all: httplib's own answer goes nowhere
   int status = 0;
   std::uint64_t body_bytes = 0;
   std::optional<EventsBody> events;
@@ -77,7 +80,7 @@ std::string WithoutAdditions(std::string_view head, const Exchange& exchange) {
       kept.erase(at + 2, line.size() - 2);
     }
   };
-  if (exchange.status == 304 || exchange.events) drop("\r\nContent-Length: 0\r\n");
+  if (exchange.status == 304 || exchange.has_no_length) drop("\r\nContent-Length: 0\r\n");
   if (!exchange.has_ranges) drop("\r\nAccept-Ranges: bytes\r\n");
   return kept;
 }
@@ -103,6 +106,7 @@ class ConnectionStream : public httplib::Stream {
     return got;
   }
   ssize_t write(const char* bytes, size_t size) override {
+    if (current->is_sent) return static_cast<ssize_t>(size);
     if (head_written_ || current->status == 0) return Send({bytes, size}, size);
     head_written_ = true;
     return Send(WithoutAdditions({bytes, size}, *current), size);
@@ -184,6 +188,7 @@ void AdmitRequest(const Service& service, httplib::Request& from) {
     return connection.WatchPeer();
   };
   exchange.is_http_1_0 = from.version == "HTTP/1.0";
+  exchange.is_last = exchange.is_last || from.get_header_value("Connection") == "close";
   exchange.chunked = exchange.request.has_body && !exchange.request.content_length;
   try {
     CheckHeader(from, exchange.request);
@@ -227,7 +232,7 @@ void LimitTransfers(Exchange& exchange, Response& response) {
   const bool is_long =
       BodyLength(response) > kShortAnswer || std::holds_alternative<OpenBody>(response.body);
   if (is_long && !exchange.BeginLongTransfer()) {
-    response = Service::Refuse(TooManyTransfers(), exchange.request.id);
+    response = Service::Refuse(TooManyTransfers(), exchange.request);
   }
   if (std::holds_alternative<EventsBody>(response.body) && !exchange.BeginEventStream()) {
     response = Service::Refuse(
@@ -235,42 +240,64 @@ void LimitTransfers(Exchange& exchange, Response& response) {
                                         std::to_string(exchange.event_streams.max()) +
                                         " clients are being told of events")
             .WithHeader("Retry-After", "5"),
-        exchange.request.id);
+        exchange.request);
   }
 }
 
-void GiveOpenBody(OpenBody body, const std::string& type, httplib::Response& to) {
-  Exchange& exchange = *current;
-  const auto produce = [&exchange, body = std::move(body)](httplib::DataSink& to_client) {
-    BufferedSink sink(exchange.connection, [&to_client](std::string_view piece) {
-      return to_client.write(piece.data(), piece.size());
-    });
-    std::exception_ptr fault;
-    try {
-      body.produce(sink);
-    } catch (...) {
-      fault = std::current_exception();
-    }
-    exchange.body_bytes = sink.bytes();
-    sink.Flush();  // what came before a fault is the client's too
-    if (fault) std::rethrow_exception(fault);
-    to_client.done();
-    return true;
-  };
-  if (exchange.is_http_1_0) {
-    exchange.keep_open = false;
-    to.set_header("Connection", "close");
-    to.set_content_provider(
-        type, [produce](size_t, httplib::DataSink& to_client) { return produce(to_client); });
-  } else {
-    to.set_chunked_content_provider(
-        type, [produce](size_t, httplib::DataSink& to_client) { return produce(to_client); });
+// The head of an answer whose length is not known.
+std::string OpenHead(const Response& response, const Exchange& exchange) {
+  std::string head = "HTTP/1.1 " + std::to_string(response.status) +
+                     (response.status == 200 ? " OK\r\n" : " \r\n");
+  for (const auto& [name, value] : response.headers.all()) {
+    head += name + ": " + value + "\r\n";
   }
+  if (!exchange.is_http_1_0) head += "Transfer-Encoding: chunked\r\n";
+  if (!exchange.keep_open || exchange.is_last) head += "Connection: close\r\n";
+  return head + "\r\n";
+}
+
+// Too late for a problem document.
+void CutShort(Exchange& exchange, const std::exception& error) {
+  exchange.keep_open = false;
+  Log(LogLevel::kWarning, "a response was cut short",
+      {{"request_id", exchange.request.id}, {"error", std::string(error.what())}});
+}
+
+// Runs an open body; what is left for httplib to send: the short answer, a problem, or nothing.
+Response RunOpenBody(Response response, Exchange& exchange) {
+  const OpenBody body = std::move(std::get<OpenBody>(response.body));
+  BufferedSink sink(
+      exchange.connection, [&] { return OpenHead(response, exchange); }, !exchange.is_http_1_0);
+  exchange.keep_open = exchange.keep_open && !exchange.is_http_1_0;
+  try {
+    body.produce(sink);
+    if (sink.begun()) sink.End();
+  } catch (const std::exception& error) {
+    if (!sink.begun()) return Service::Refuse(error, exchange.request);
+    CutShort(exchange, error);
+    sink.TryFlush();  // what came before is the client's too
+  }
+  if (!sink.begun()) {
+    response.body = sink.TakeBuffered();
+    return response;
+  }
+  exchange.is_sent = true;
+  exchange.status = response.status;
+  exchange.body_bytes = sink.bytes();
+  return response;
 }
 
 void GiveResponse(Response response, httplib::Response& to) {
   Exchange& exchange = *current;
   LimitTransfers(exchange, response);
+  if (exchange.request.has_body && !exchange.body_read) exchange.keep_open = false;
+  if (std::holds_alternative<OpenBody>(response.body) && exchange.request.method != "HEAD") {
+    response = RunOpenBody(std::move(response), exchange);
+    if (exchange.is_sent) {
+      to.status = response.status;
+      return;
+    }
+  }
   exchange.has_ranges = response.headers.Get("Accept-Ranges") == "bytes";
   exchange.status = to.status = response.status;
   exchange.body_bytes = exchange.request.method == "HEAD" ? 0 : BodyLength(response);
@@ -279,25 +306,20 @@ void GiveResponse(Response response, httplib::Response& to) {
   for (const auto& [name, value] : response.headers.all()) {
     if (ToLower(name) != "content-length") to.headers.emplace(name, value);
   }
-  if (exchange.request.has_body && !exchange.body_read) {
-    exchange.keep_open = false;
-    to.set_header("Connection", "close");
-  }
+  if (!exchange.keep_open) to.set_header("Connection", "close");
   if (auto* text = std::get_if<std::string>(&response.body)) {
     to.body = std::move(*text);
     return;
   }
-  if (auto* events = std::get_if<EventsBody>(&response.body)) {
+  auto* events = std::get_if<EventsBody>(&response.body);
+  if (events != nullptr || std::holds_alternative<OpenBody>(response.body)) {
+    exchange.has_no_length = true;
     if (!exchange.is_http_1_0) to.set_header("Transfer-Encoding", "chunked");
-    to.set_header("Connection", "close");
-    if (exchange.request.method == "HEAD") return;
+    if (events == nullptr || exchange.request.method == "HEAD") return;
+    if (exchange.keep_open && !exchange.is_last) to.set_header("Connection", "close");
     exchange.keep_open = false;
     exchange.events = std::move(*events);
     return;
-  }
-  if (auto* open = std::get_if<OpenBody>(&response.body)) {
-    to.headers.erase("Content-Type");
-    return GiveOpenBody(std::move(*open), type, to);
   }
   const std::uint64_t length = BodyLength(response);
   if (length == 0) return;
@@ -374,6 +396,7 @@ class Engine : public httplib::Server {
   ~Engine() override { svr_sock_ = INVALID_SOCKET; }
 
   bool Process(Connection& connection, std::size_t header_bytes, bool close) {
+    current->is_last = close;
     ConnectionStream stream(connection, header_bytes);
     bool closed = false;
     const bool fine = process_request(stream, close, closed, [this](httplib::Request& request) {
@@ -477,9 +500,7 @@ Served Server::State::Serve(Connection& connection, bool closing) const {
   try {
     open = engine->Process(connection, header_bytes, closing);
   } catch (const std::exception& error) {
-    // While the content was being sent: too late for a problem document.
-    Log(LogLevel::kWarning, "a response was cut short",
-        {{"request_id", exchange.request.id}, {"error", std::string(error.what())}});
+    CutShort(exchange, error);
   }
   current = nullptr;
   const bool flushed = connection.Flush();

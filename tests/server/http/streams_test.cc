@@ -85,7 +85,13 @@ class StreamsTest : public ::testing::Test {
     });
     AddOpen(router, "/breaks", [](OpenSink& sink) {
       sink.Write("a little\n");
+      sink.Flush();
+      sink.Write("more\n");
       throw Error(Code::kIo, "the source is gone");
+    });
+    AddOpen(router, "/fails", [](OpenSink& sink) {
+      sink.Write("a row that nobody needs to see");
+      throw Error(Code::kTimeout, "it took longer than 1 s");
     });
     AddOpen(router, "/endless", [this](OpenSink& sink) {
       const std::string piece(1000, 'x');
@@ -163,33 +169,71 @@ class StreamsTest : public ::testing::Test {
   std::unique_ptr<Server> server_;
 };
 
-TEST_F(StreamsTest, AnOpenBodyComesInChunksAndKeepsTheConnection) {
+TEST_F(StreamsTest, AShortOpenBodyHasALength) {
   Start();
   RawClient client(server_->port());
   client.Say(Ask("/lines"));
-  EXPECT_THAT(client.Hear("\r\n0\r\n\r\n"),
-              AllOf(StartsWith("HTTP/1.1 200"), HasSubstr("Transfer-Encoding: chunked\r\n"),
-                    Not(HasSubstr("Content-Length")),
-                    HasSubstr("\r\n\r\n15\r\nline 0\nline 1\nline 2\n\r\n0\r\n\r\n")));
+  EXPECT_THAT(client.Hear("line 2\n"),
+              AllOf(StartsWith("HTTP/1.1 200"), HasSubstr("Content-Length: 21\r\n"),
+                    HasSubstr("Content-Type: text/plain\r\n"), Not(HasSubstr("chunked")),
+                    EndsWith("\r\n\r\nline 0\nline 1\nline 2\n")));
   client.Say(Ask("/nothing") + Ask("/hello"));
-  EXPECT_THAT(client.Hear("\r\n\r\nhello"), HasSubstr("\r\n\r\n0\r\n\r\nHTTP/1.1 200"));
+  EXPECT_THAT(client.Hear("\r\n\r\nhello"), HasSubstr("Content-Length: 0\r\n"));
+}
+
+TEST_F(StreamsTest, ALongOpenBodyComesInChunksAndKeepsTheConnection) {
+  Start();
+  RawClient client(server_->port());
+  for (int i = 0; i < 3; ++i) {
+    client.Say(Ask("/slowly"));
+    EXPECT_THAT(client.Hear("first\n\r\n"),
+                AllOf(StartsWith("HTTP/1.1 200 OK\r\n"), Not(HasSubstr("Content-Length")),
+                      HasSubstr("Transfer-Encoding: chunked\r\n"), HasSubstr("X-Request-Id: "),
+                      EndsWith("\r\n\r\n6\r\nfirst\n\r\n")));
+    release_ = true;
+    EXPECT_EQ(client.Hear("\r\n0\r\n\r\n"), "7\r\nsecond\n\r\n0\r\n\r\n");
+    release_ = false;
+  }
 }
 
 TEST_F(StreamsTest, AnOpenBodyEndsWithTheConnectionInHttp10) {
   Start();
+  release_ = true;
   RawClient client(server_->port());
-  client.Say(Ask("/lines", "1.0"));
-  EXPECT_THAT(client.Hear(), AllOf(HasSubstr(" 200 "), Not(HasSubstr("Transfer-Encoding")),
-                                   Not(HasSubstr("Content-Length")),
-                                   EndsWith("\r\n\r\nline 0\nline 1\nline 2\n")));
+  client.Say(Ask("/slowly", "1.0"));
+  EXPECT_THAT(client.Hear(),
+              AllOf(HasSubstr(" 200 "), Not(HasSubstr("Transfer-Encoding")),
+                    HasSubstr("Connection: close\r\n"), Not(HasSubstr("Content-Length")),
+                    EndsWith("\r\n\r\nfirst\nsecond\n")));
   EXPECT_TRUE(client.closed());
+}
+
+TEST_F(StreamsTest, AnOpenBodyEndsAConnectionThatItsClientWantsClosed) {
+  Start();
+  release_ = true;
+  RawClient client(server_->port());
+  client.Say("GET /slowly HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
+  EXPECT_THAT(client.Hear(), AllOf(HasSubstr("Connection: close\r\n"), EndsWith("0\r\n\r\n")));
+  EXPECT_TRUE(client.closed());
+}
+
+TEST_F(StreamsTest, AnOpenBodyThatFailsBeforeItSaidAnythingIsAProblem) {
+  Start();
+  RawClient client(server_->port());
+  for (int i = 0; i < 3; ++i) {
+    client.Say(Ask("/fails"));
+    EXPECT_THAT(client.Hear("}\n"),
+                AllOf(StartsWith("HTTP/1.1 504"), HasSubstr("application/problem+json"),
+                      HasSubstr("X-Request-Id: "), HasSubstr("\"code\": \"timeout\"")));
+  }
 }
 
 TEST_F(StreamsTest, HeadOfAnOpenBodyProducesNothing) {
   Start();
   RawClient client(server_->port());
   client.Say("HEAD /endless HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
-  EXPECT_THAT(client.Hear(), AllOf(StartsWith("HTTP/1.1 200"), EndsWith("\r\n\r\n")));
+  EXPECT_THAT(client.Hear(), AllOf(StartsWith("HTTP/1.1 200"), Not(HasSubstr("Content-Length")),
+                                   EndsWith("\r\n\r\n")));
   EXPECT_EQ(produced_, 0u);
 }
 
@@ -206,7 +250,8 @@ TEST_F(StreamsTest, AnOpenBodyThatFailsIsNotPassedOffAsWhole) {
   Start();
   RawClient client(server_->port());
   client.Say(Ask("/breaks"));
-  EXPECT_THAT(client.Hear(), AllOf(HasSubstr("a little\n"), Not(HasSubstr("\r\n0\r\n\r\n"))));
+  EXPECT_THAT(client.Hear(),
+              AllOf(HasSubstr("a little\n"), HasSubstr("more\n"), Not(HasSubstr("\r\n0\r\n\r\n"))));
   EXPECT_TRUE(client.closed());
   Client reader(server_->url());
   EXPECT_THROW(reader.Send({"GET", "/breaks", {}, {}, {}}), Error);
@@ -253,7 +298,7 @@ TEST_F(StreamsTest, AWatchedConnectionServesFurtherRequests) {
     client.Say(Ask("/ponders"));
     ASSERT_THAT(client.Hear("\r\n\r\n"), StartsWith("HTTP/1.1 200"));
     client.Say(Ask("/thinks"));
-    ASSERT_THAT(client.Hear("\r\n0\r\n\r\n"), StartsWith("HTTP/1.1 200"));
+    ASSERT_THAT(client.Hear("\r\n\r\n"), StartsWith("HTTP/1.1 200"));
   }
 }
 
