@@ -120,6 +120,12 @@ FrameReader::Got FrameReader::Take(Frame* frame) {
   return Got::kFrame;
 }
 
+bool FrameReader::InputWithin(std::chrono::milliseconds time) const {
+  if (taken_ < input_.size()) return true;
+  pollfd wanted{socket_, POLLIN, 0};
+  return ::poll(&wanted, 1, static_cast<int>(time.count())) > 0;
+}
+
 FrameReader::Got FrameReader::Next(Frame* frame, std::chrono::steady_clock::time_point deadline) {
   using std::chrono::milliseconds;
   while (true) {

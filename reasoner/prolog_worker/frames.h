@@ -36,6 +36,8 @@ class FrameReader {
   explicit FrameReader(int socket) : socket_(socket) {}
 
   enum class Got { kFrame, kTimeout, kClosed, kNonsense };
+  // Whether something has arrived, after waiting for it up to `time`.
+  bool InputWithin(std::chrono::milliseconds time) const;
   Got Next(Frame* frame, std::chrono::steady_clock::time_point deadline);
 
  private:

@@ -263,10 +263,17 @@ std::optional<GoalEnd> RunningGoal::State::EndAt(FrameReader::Got got, const Fra
   return end;
 }
 
-std::optional<std::string> RunningGoal::Next() {
+bool RunningGoal::MoreWithin(std::chrono::milliseconds time) const {
+  return state_ == nullptr || state_->reader->InputWithin(time);
+}
+
+std::optional<std::string> RunningGoal::Next(std::stop_token stop) {
   if (state_ == nullptr) return std::nullopt;
   Frame frame;
-  const FrameReader::Got got = state_->Wait(&frame);
+  const FrameReader::Got got = [&] {
+    const std::stop_callback on_stop(stop, [this] { state_->process->Kill(); });
+    return state_->Wait(&frame);
+  }();
   std::optional<GoalEnd> end = state_->EndAt(got, frame);
   if (!end && state_->bytes + frame.bytes.size() > state_->request.max_bytes) {
     end.emplace();

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include "ontology/triples/view.h"
@@ -42,8 +43,10 @@ class RunningGoal {
   RunningGoal& operator=(const RunningGoal&) = delete;
 
   // Waits for the next answer, a JSON object on one line; nothing when there is none any more: then
-  // end() says how it ended, and the process is gone.
-  std::optional<std::string> Next();
+  // end() says how it ended, and the process is gone. `stop` ends the goal while it is waited for.
+  std::optional<std::string> Next(std::stop_token stop = {});
+  // Whether Next() would not have to wait, after waiting for that up to `time`.
+  bool MoreWithin(std::chrono::milliseconds time) const;
   // Besides the kinds of expert.h: time, idle, escape (a system call that no goal may make), died
   // (the process ended by itself), worker (it could not begin).
   const GoalEnd& end() const { return end_; }
