@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "reasoner/sparql/query.h"
+#include "reasoner/sparql/variables.h"
 
 namespace lares::sparql {
 

@@ -110,7 +110,6 @@ class Parser {
   syntax::Pattern ParseValues();
   void ParseTemplate();
   void EndBasicPattern();
-  static void CollectVisible(const syntax::Pattern& pattern, std::set<Slot>& visible);
 
   // Paths.
   syntax::Path ParseVerb();

@@ -1,7 +1,7 @@
 #include <utility>
 
-#include "ontology/rdf/vocabulary.h"
 #include "reasoner/sparql/parser.h"
+#include "reasoner/sparql/variables.h"
 
 namespace lares::sparql {
 
@@ -174,22 +174,42 @@ Parser::Node Parser::ParseBlank() {
   return node;
 }
 
+// 18.2.2.3 and 18.2.2.4: what a path can say by triples, it says by triples.
 void Parser::AddTriple(Pattern& group, Node subject, const Path& path, Node object) {
   CountStep();
-  auto& children = group.children;
   Pattern child;
-  if (path.kind != Path::Kind::kIri) {
-    child.kind = Kind::kPath;
-    child.ends = {subject, {}, object};
-    child.path = path;
-    children.push_back(std::move(child));
-    return;
+  switch (path.kind) {
+    case Path::Kind::kIri:
+      if (group.children.empty() || group.children.back().kind != Kind::kTriples) {
+        child.kind = Kind::kTriples;
+        group.children.push_back(std::move(child));
+      }
+      group.children.back().triples.push_back({subject, path.iri, object});
+      return;
+    case Path::Kind::kInverse:
+      AddTriple(group, object, path.parts[0], subject);
+      return;
+    case Path::Kind::kSequence:
+      for (std::size_t i = 0; i < path.parts.size(); ++i) {
+        const bool is_last = i + 1 == path.parts.size();
+        const Node next = is_last ? object : FreshBlank();
+        AddTriple(group, subject, path.parts[i], next);
+        subject = next;
+      }
+      return;
+    case Path::Kind::kAlternative:
+      child.kind = Kind::kUnion;
+      for (const Path& part : path.parts) {
+        child.children.emplace_back();
+        AddTriple(child.children.back(), subject, part, object);
+      }
+      break;
+    default:
+      child.kind = Kind::kPath;
+      child.ends = {subject, {}, object};
+      child.path = path;
   }
-  if (children.empty() || children.back().kind != Kind::kTriples) {
-    child.kind = Kind::kTriples;
-    children.push_back(std::move(child));
-  }
-  children.back().triples.push_back({subject, path.iri, object});
+  group.children.push_back(std::move(child));
 }
 
 void Parser::ParseGroupOrUnion(Pattern& group) {
@@ -294,40 +314,6 @@ void Parser::ParseTemplate() {
   labels_.clear();
   for (const Pattern& child : group.children) {
     query_.construct.insert(query_.construct.end(), child.triples.begin(), child.triples.end());
-  }
-}
-
-void Parser::CollectVisible(const Pattern& pattern, std::set<Slot>& visible) {
-  const auto add = [&](const Node& node) {
-    if (node.is_variable()) visible.insert(node.index);
-  };
-  switch (pattern.kind) {
-    case Kind::kTriples:
-      for (const auto& triple : pattern.triples) {
-        add(triple.subject);
-        add(triple.predicate);
-        add(triple.object);
-      }
-      break;
-    case Kind::kPath:
-      add(pattern.ends.subject);
-      add(pattern.ends.object);
-      break;
-    case Kind::kBind:
-      visible.insert(pattern.slot);
-      break;
-    case Kind::kValues:
-      visible.insert(pattern.slots.begin(), pattern.slots.end());
-      break;
-    case Kind::kSelect:
-      for (const auto& [inside, outside] : pattern.select->outside) visible.insert(outside);
-      break;
-    case Kind::kMinus:
-    case Kind::kFilter:
-      break;
-    default:
-      add(pattern.node);
-      for (const Pattern& child : pattern.children) CollectVisible(child, visible);
   }
 }
 

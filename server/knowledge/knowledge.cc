@@ -124,6 +124,8 @@ std::vector<Knowledge::Module> Knowledge::Modules() const {
 
 rdf::View Knowledge::Catalogue() const { return state_->catalogue()->view; }
 
+Changes& Knowledge::changes() { return state_->changes; }
+
 Knowledge::Counts Knowledge::counts() const {
   const auto catalogue = state_->catalogue();
   Counts counts;
