@@ -2,10 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
-#include <vector>
 
-#include "ontology/triples/view.h"
+#include "ontology/triples/cursor.h"
 
 namespace lares::prolog {
 
@@ -16,8 +16,6 @@ class Cursor {
   // Only what `graph`, one of the view's, asserts.
   Cursor(std::shared_ptr<const rdf::View> view, const rdf::Pattern& pattern,
          const rdf::Graph& graph);
-  Cursor(Cursor&&) = default;
-  Cursor& operator=(Cursor&&) = default;
 
   const rdf::Pattern& pattern() const { return pattern_; }
   // False when there are no more.
@@ -26,19 +24,17 @@ class Cursor {
   bool Done();
 
  private:
-  void Collect();
   bool Accepts(const rdf::Triple& triple) const;
+  bool Candidate(rdf::Triple* triple);
   void Prefetch();
 
   std::shared_ptr<const rdf::View> view_;
   rdf::Pattern pattern_;
-  rdf::Origin origin_ = rdf::Origin::kAll;
   const rdf::Graph* graph_ = nullptr;
-  bool scans_graph_ = false;  // run_ is a part of graph_->triples, else of a layer
-  std::size_t next_layer_ = 0;
-  std::span<const rdf::Triple> run_;
-  std::vector<rdf::Triple> collected_;  // what run_ is of, where terms of the view are the same
-  bool prefetched_ = false;
+  std::optional<rdf::Cursor> all_;    // of the view; nothing when run_ is scanned
+  std::span<const rdf::Triple> run_;  // of graph_->triples
+  std::optional<rdf::Triple> next_;   // found already
+  bool ended_ = false;
 };
 
 // The graph of that name; null when the view has none.
