@@ -137,6 +137,29 @@ bool Derivations::ForEach(const rdf::Pattern& goal, const Options& options, cons
   return true;
 }
 
+bool Derivations::ForEachBody(const rdf::Pattern& goal,
+                              const std::function<bool(const Body&)>& visit) {
+  const bool is_type = goal.predicate == words_.type;
+  for (const Instance& instance :
+       InstancesFor(goal.predicate, is_type ? goal.object : rdf::kAnyTerm)) {
+    std::vector<rdf::TermId> binding = instance.binding;
+    if (!Unify(*instance.head, goal, binding)) continue;
+    bool go_on = true;
+    if (instance.schema_is_solved || instance.rule->schema.empty()) {
+      go_on = visit({*instance.rule, binding, instance.premises});
+    } else {
+      BodyJoin join(view_, words_, all_, *instance.rule, std::move(binding), {});
+      go_on = join.Run(BodyJoin::Part::kSchema, [&] {
+        std::vector<rdf::Triple> premises;
+        join.AppendPremises(&premises);
+        return visit({*instance.rule, join.binding(), premises});
+      });
+    }
+    if (!go_on) return false;
+  }
+  return true;
+}
+
 bool Derivations::ForEachClash(const Options& options, const Visit& visit) {
   if (!clashes_) {
     clashes_ = std::make_unique<Instances>();

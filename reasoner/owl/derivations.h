@@ -57,6 +57,17 @@ class Derivations {
   // The same for contradictions; the conclusion of these steps is empty.
   bool ForEachClash(const Options& options, const Visit& visit);
 
+  // A rule that would conclude a goal, with its schema satisfied: what is left are its data
+  // patterns under a binding.
+  struct Body {
+    const Rule& rule;
+    const std::vector<rdf::TermId>& binding;
+    std::span<const rdf::Triple> premises;  // of the schema
+  };
+  // Calls `visit` for each until it returns false; true when all were visited. Rules without a
+  // schema come once.
+  bool ForEachBody(const rdf::Pattern& goal, const std::function<bool(const Body&)>& visit);
+
   const rdf::View& view() const { return view_; }
   const Vocabulary& words() const { return words_; }
   const std::vector<Rule>& rules() const { return rules_; }

@@ -281,6 +281,7 @@ PutAnswer Knowledge::Put(const PutRequest& original) {
   }
   if (!incoming.answer.warnings.empty()) incoming.details["warnings"] = incoming.answer.warnings;
   incoming.answer.document = Store(state_->store, incoming);
+  state_->changes.Notify();
   return incoming.answer;
 }
 
@@ -306,12 +307,14 @@ PutAnswer Knowledge::PutOntology(const PutRequest& request, const rdf::Graph& gr
   incoming.answer.document = Store(state_->store, incoming);
   state_->stored_graphs = std::move(next);
   state_->Publish(std::move(catalogue));
+  state_->changes.Notify();
   return incoming.answer;
 }
 
 void Knowledge::Remove(DocumentKind kind, const std::string& id) {
   if (kind != DocumentKind::kOntology) {
     state_->store.DeleteDocument(kind, id);
+    state_->changes.Notify();
     return;
   }
   const std::lock_guard lock(state_->ontology_mutex);
@@ -321,6 +324,7 @@ void Knowledge::Remove(DocumentKind kind, const std::string& id) {
   for (const auto& [other_id, graph] : state_->stored_graphs) stored.push_back(graph);
   const auto before = state_->catalogue();
   state_->Publish(MakeCatalogue(state_->own, stored, before->generation + 1, before.get()));
+  state_->changes.Notify();
 }
 
 }  // namespace lares::server

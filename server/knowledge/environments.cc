@@ -77,6 +77,7 @@ Knowledge::VersionAnswer Knowledge::PutVersion(const store::NewVersion& original
     }
   }
   answer.version = state_->store.PutVersion(version);
+  state_->changes.Notify();
   return answer;
 }
 

@@ -120,6 +120,8 @@ void Knowledge::WaitForOverlays() { state_->overlays.Wait(); }
 
 rdf::View Knowledge::Catalogue() const { return state_->catalogue()->view; }
 
+Changes& Knowledge::changes() { return state_->changes; }
+
 Knowledge::Counts Knowledge::counts() const {
   const auto catalogue = state_->catalogue();
   Counts counts;

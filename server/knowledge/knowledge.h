@@ -16,6 +16,7 @@
 #include "reasoner/prolog/engine_pool.h"
 #include "recipes/match/match.h"
 #include "recipes/plan/plan.h"
+#include "server/knowledge/changes.h"
 #include "server/store/store.h"
 
 namespace lares::server {
@@ -164,6 +165,8 @@ class Knowledge {
   rdf::View ViewFor(const ViewRequest& request);
   // Until every overlay that is kept lies over the catalogue of now.
   void WaitForOverlays();
+  // Told after each put and removal, once questions see it.
+  Changes& changes();
   struct Counts {
     std::size_t terms = 0, asserted = 0, inferred = 0, views_cached = 0, clashes = 0;
   };

@@ -38,6 +38,7 @@ struct Knowledge::State {
   mutable std::shared_mutex catalogue_mutex;        // guards the pointer only
   std::shared_ptr<const CatalogueState> catalogue_now;
 
+  Changes changes;
   std::mutex priors_mutex;
   std::map<std::string, std::shared_ptr<const PlaceTables>> priors;  // by name@version#generation
 

@@ -1,5 +1,6 @@
 #include "tests/reasoner/random_ontology.h"
 
+#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -85,6 +86,19 @@ const std::vector<std::string>& Shapes() {
   return shapes;
 }
 
+constexpr std::string_view kShapesOfValues[] = {
+    "I P \"01\"^^xsd:integer",
+    "I P \"1.0\"^^xsd:decimal",
+    "I P \"x\"^^xsd:integer",
+    "I owl:sameAs 1",
+    "P rdfs:range xsd:integer",
+    "R owl:onProperty P ; owl:hasValue \"1.0\"^^xsd:decimal",
+    "R owl:someValuesFrom xsd:integer",
+    "xsd:integer rdfs:subClassOf C",
+    "C a owl:Class",
+    "P a owl:ObjectProperty",
+};
+
 bool MakesEqual(std::string_view shape) {
   for (const std::string_view word : {"owl:sameAs", "FunctionalProperty", "owl:hasKey",
                                       "owl:maxCardinality 1", "owl:maxQualifiedCardinality 1"}) {
@@ -95,12 +109,19 @@ bool MakesEqual(std::string_view shape) {
 
 }  // namespace
 
+std::string_view Author::Shape() {
+  const std::size_t values = values_ ? std::size(kShapesOfValues) : 0;
+  while (true) {
+    const std::size_t at = random_() % (Shapes().size() + values);
+    const std::string_view shape =
+        at < Shapes().size() ? Shapes()[at] : kShapesOfValues[at - Shapes().size()];
+    if (equality_ || !MakesEqual(shape)) return shape;
+  }
+}
+
 std::string Author::Statement() {
   std::string statement;
-  std::string_view shape;
-  do shape = Shapes()[random_() % Shapes().size()];
-  while (!equality_ && MakesEqual(shape));
-  for (const char c : shape) {
+  for (const char c : Shape()) {
     const bool begins_word = statement.empty() || statement.back() == ' ';
     if (begins_word && std::string("ICPRL").find(c) != std::string::npos) {
       statement += Name(c);
