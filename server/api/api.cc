@@ -18,6 +18,7 @@ http::Router MakeRouter(Context& context) {
   AddEnvironmentDownloadRoutes(router, context);
   AddPlanRoutes(router, context);
   AddLikelyPlaceRoutes(router, context);
+  AddPrologRoutes(router, context);
   return router;
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "reasoner/prolog_worker/workers.h"
 #include "server/api/text_cache.h"
 #include "server/http/metrics.h"
 #include "server/http/router.h"
@@ -19,6 +20,7 @@ struct Context {
   server::Knowledge& knowledge;
   std::shared_ptr<http::Metrics> metrics = std::make_shared<http::Metrics>();
   std::shared_ptr<TextCache> listed = std::make_shared<TextCache>();  // documents in lists
+  std::shared_ptr<prolog::Workers> workers = std::make_shared<prolog::Workers>();  // for goals
   std::string openapi;  // the document, made once all routes are known
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
 };
@@ -35,6 +37,7 @@ void AddEnvironmentUploadRoute(http::Router& router, Context& context);
 void AddEnvironmentDownloadRoutes(http::Router& router, Context& context);
 void AddPlanRoutes(http::Router& router, Context& context);
 void AddLikelyPlaceRoutes(http::Router& router, Context& context);
+void AddPrologRoutes(http::Router& router, Context& context);
 void AddOperationRoutes(http::Router& router, Context& context);
 
 }  // namespace lares::api

@@ -23,12 +23,14 @@ void AddServe(CLI::App& app, const Options& options);
 void AddRecipe(CLI::App& app, const Options& options);
 void AddRobot(CLI::App& app, const Options& options);
 void AddOntology(CLI::App& app, const Options& options);
+void AddOntologyConvert(CLI::App& ontology);
 void AddEnvironment(CLI::App& app, const Options& options);
 void AddEnvironmentPut(CLI::App& environment, const Options& options);
 void AddEnvironmentGet(CLI::App& environment, const Options& options);
 void AddObjectModel(CLI::App& app, const Options& options);
 void AddPlan(CLI::App& app, const Options& options);
 void AddPrior(CLI::App& app, const Options& options);
+void AddProlog(CLI::App& app, const Options& options);
 void AddWhere(CLI::App& app, const Options& options);
 void AddStatus(CLI::App& app, const Options& options);
 

@@ -281,6 +281,7 @@ PutAnswer Knowledge::Put(const PutRequest& original) {
   }
   if (!incoming.answer.warnings.empty()) incoming.details["warnings"] = incoming.answer.warnings;
   incoming.answer.document = Store(state_->store, incoming);
+  state_->changes.Notify();
   return incoming.answer;
 }
 
@@ -292,7 +293,7 @@ PutAnswer Knowledge::PutOntology(const PutRequest& request, const rdf::Graph& gr
   std::vector<rdf::Graph> stored;
   for (const auto& [id, other] : next) stored.push_back(other);
   const auto before = state_->catalogue();
-  auto catalogue = MakeCatalogue(state_->own, stored, before->generation + 1);
+  auto catalogue = MakeCatalogue(state_->own, stored, before->generation + 1, before.get());
   Incoming incoming{request, request.file_name, {}, {}, catalogue->view, {}, json::object(), {}};
   incoming.answer.remarks = content.remarks;
   incoming.answer.statements = graph.triples.size();
@@ -306,12 +307,14 @@ PutAnswer Knowledge::PutOntology(const PutRequest& request, const rdf::Graph& gr
   incoming.answer.document = Store(state_->store, incoming);
   state_->stored_graphs = std::move(next);
   state_->Publish(std::move(catalogue));
+  state_->changes.Notify();
   return incoming.answer;
 }
 
 void Knowledge::Remove(DocumentKind kind, const std::string& id) {
   if (kind != DocumentKind::kOntology) {
     state_->store.DeleteDocument(kind, id);
+    state_->changes.Notify();
     return;
   }
   const std::lock_guard lock(state_->ontology_mutex);
@@ -319,7 +322,9 @@ void Knowledge::Remove(DocumentKind kind, const std::string& id) {
   state_->stored_graphs.erase(id);
   std::vector<rdf::Graph> stored;
   for (const auto& [other_id, graph] : state_->stored_graphs) stored.push_back(graph);
-  state_->Publish(MakeCatalogue(state_->own, stored, state_->catalogue()->generation + 1));
+  const auto before = state_->catalogue();
+  state_->Publish(MakeCatalogue(state_->own, stored, before->generation + 1, before.get()));
+  state_->changes.Notify();
 }
 
 }  // namespace lares::server

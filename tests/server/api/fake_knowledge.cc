@@ -138,6 +138,12 @@ const rdf::AliasTable& Knowledge::aliases() const { return state_->aliases; }
 std::vector<Knowledge::Module> Knowledge::Modules() const {
   return {{"core", "built-in", 100}, {"knowrob", "stored", 2000}};
 }
+rdf::View Knowledge::ViewFor(const ViewRequest& request) {
+  if (!request.environment.empty()) {
+    throw Error(Code::kNotFound, "no environment '" + request.environment + "'");
+  }
+  return Catalogue();
+}
 rdf::View Knowledge::Catalogue() const { return rdf::View(std::make_shared<rdf::Dictionary>()); }
 Knowledge::Counts Knowledge::counts() const { return {10, 20, 30, 1, 0}; }
 
