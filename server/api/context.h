@@ -35,6 +35,7 @@ void AddEnvironmentUploadRoute(http::Router& router, Context& context);
 void AddEnvironmentDownloadRoutes(http::Router& router, Context& context);
 void AddPlanRoutes(http::Router& router, Context& context);
 void AddLikelyPlaceRoutes(http::Router& router, Context& context);
+void AddQuarantineRoutes(http::Router& router, Context& context);
 void AddOperationRoutes(http::Router& router, Context& context);
 
 }  // namespace lares::api

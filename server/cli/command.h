@@ -29,6 +29,7 @@ void AddEnvironmentGet(CLI::App& environment, const Options& options);
 void AddObjectModel(CLI::App& app, const Options& options);
 void AddPlan(CLI::App& app, const Options& options);
 void AddPrior(CLI::App& app, const Options& options);
+void AddQuarantine(CLI::App& app, const Options& options);
 void AddWhere(CLI::App& app, const Options& options);
 void AddStatus(CLI::App& app, const Options& options);
 

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "ontology/rdf/reader.h"
+#include "server/knowledge/authority.h"
 #include "server/knowledge/catalogue.h"
+#include "server/knowledge/consistency.h"
 #include "server/knowledge/view_cache.h"
 
 namespace lares::server {
@@ -38,6 +40,9 @@ struct Knowledge::State {
   mutable std::shared_mutex catalogue_mutex;        // guards the pointer only
   std::shared_ptr<const CatalogueState> catalogue_now;
 
+  Authority authority;
+  FirmCatalogue firm;
+
   ViewCache views{64};
   std::mutex priors_mutex;
   std::map<std::string, std::shared_ptr<const PlaceTables>> priors;  // by name@version#generation
@@ -54,6 +59,13 @@ struct Knowledge::State {
   // `below` closed with one more document. `key` names `below` and the document together.
   rdf::View Over(const rdf::View& below, const std::string& key, const std::string& graph_name,
                  const store::DocumentInfo& document);
+  // Throws a Refusal when `graph`, a document over the catalogue `base`, adds to terms of others.
+  void CheckAuthority(const CatalogueState& base, const rdf::Graph& graph, const Sent& sent,
+                      const authority::JudgeOptions& options = {});
+  // What of a contradiction in the top layer of `view`, which is `graph` over `base`, the document
+  // must answer for; nothing when the catalogue takes no side.
+  std::optional<Contradiction> Convict(const CatalogueState& base, const rdf::View& view,
+                                       const rdf::Graph& graph);
   // Catalogue + robot + recipe + environment, each where given.
   struct Stack {
     const store::DocumentInfo* robot = nullptr;
