@@ -38,6 +38,7 @@ void AddEnvironmentDownloadRoutes(http::Router& router, Context& context);
 void AddPlanRoutes(http::Router& router, Context& context);
 void AddLikelyPlaceRoutes(http::Router& router, Context& context);
 void AddPrologRoutes(http::Router& router, Context& context);
+void AddQuarantineRoutes(http::Router& router, Context& context);
 void AddOperationRoutes(http::Router& router, Context& context);
 
 }  // namespace lares::api

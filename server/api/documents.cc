@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "server/api/answers.h"
+#include "server/api/quarantine.h"
 #include "server/http/etag.h"
 #include "server/http/media_type.h"
 #include "server/http/multipart.h"
@@ -176,6 +177,11 @@ server::PutRequest ToPutRequest(DocumentKind kind, const http::Request& request,
 
 http::Response PutAnswerToResponse(const server::PutAnswer& answer, const std::string& collection,
                                    bool existed) {
+  if (!answer.quarantined.empty()) {
+    http::Response response = JsonAnswer(ToJson(answer), 202);
+    response.headers.Set("Location", "/v1/quarantine/" + http::PercentEncode(answer.document.id));
+    return response;
+  }
   http::Response response = JsonAnswer(ToJson(answer), existed ? 200 : 201);
   response.headers.Set("ETag", answer.document.etag());
   response.headers.Set("Location", collection + "/" + http::PercentEncode(answer.document.id));
@@ -184,9 +190,10 @@ http::Response PutAnswerToResponse(const server::PutAnswer& answer, const std::s
 
 void AddDocumentPutRoutes(const DocumentRoutes& routes, http::Router& router, Context& context) {
   const auto put = [routes, &context](const http::Request& request) {
-    const server::PutRequest wanted = ToPutRequest(routes.kind, request, context.store);
+    server::PutRequest wanted = ToPutRequest(routes.kind, request, context.store);
+    ReadRights(request, wanted);
     const bool existed = context.store.FindDocument(routes.kind, wanted.id).has_value();
-    return PutAnswerToResponse(context.knowledge.Put(wanted), routes.collection, existed);
+    return PutAnswerToResponse(Put(context, wanted), routes.collection, existed);
   };
   router.Add({"PUT", routes.collection + "/{id}", "put" + routes.noun, put, RdfUploadTypes(),
               kMaxDocumentBytes + (1u << 20)});

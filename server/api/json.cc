@@ -137,6 +137,7 @@ Json ToJson(const server::PutAnswer& answer) {
   json["document"] = ToJson(answer.document);
   json["statements"] = answer.statements;
   json["inferred"] = answer.inferred;
+  if (!answer.quarantined.empty()) json["quarantined"] = answer.quarantined;
   AddRemarks(answer.remarks, answer.warnings, json);
   if (answer.document.kind == store::DocumentKind::kRecipe) {
     json["tasks"] = Json::array();

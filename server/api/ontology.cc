@@ -15,7 +15,13 @@ namespace {
 constexpr const char* kModules = "/v1/ontology/modules";
 
 http::Response ListModules(const http::Request& request, const Context& context) {
-  const std::vector<server::Knowledge::Module> modules = context.knowledge.Modules();
+  std::vector<server::Knowledge::Module> modules = context.knowledge.Modules();
+  for (const store::DocumentInfo& aside :
+       context.store.ListDocuments(store::DocumentKind::kQuarantined)) {
+    constexpr std::string_view kPrefix = "ontology.";
+    if (!aside.id.starts_with(kPrefix)) continue;
+    modules.push_back({aside.id.substr(kPrefix.size()), "quarantined", 0});
+  }
   return Page(
       request, modules.size(), [&](std::size_t i) { return modules[i].id; },
       [&](std::size_t i) {

@@ -66,6 +66,7 @@ int Run(int argc, const char* const* argv) {
     AddObjectModel(app, options);
     AddOntology(app, options);
     AddProlog(app, options);
+    AddQuarantine(app, options);
     AddStatus(app, options);
     return ParseAndRun(app, options, argc, argv);
   } catch (const std::exception& error) {

@@ -31,6 +31,7 @@ void AddObjectModel(CLI::App& app, const Options& options);
 void AddPlan(CLI::App& app, const Options& options);
 void AddPrior(CLI::App& app, const Options& options);
 void AddProlog(CLI::App& app, const Options& options);
+void AddQuarantine(CLI::App& app, const Options& options);
 void AddWhere(CLI::App& app, const Options& options);
 void AddStatus(CLI::App& app, const Options& options);
 

@@ -35,6 +35,10 @@ struct PutRequest {
   std::string file_name;
   std::string bytes;
   bool recover = false;
+  // The sender may add axioms about terms of others; kept with the version.
+  bool editor = false;
+  // Keep aside, instead of refusing, what contradicts what is known.
+  bool quarantine = false;
   std::string prior_format;  // priors: "omics" or "tsv"
   std::string if_match;
   // Object models: kept as details_json's "files": [{file_name, media_type, sha256, size}]. Empty
@@ -50,6 +54,8 @@ struct PutAnswer {
   std::vector<std::string> warnings;      // without a place: absent imports, contradictions, …
   std::size_t statements = 0;
   std::size_t inferred = 0;
+  // Why it is kept aside; empty when it was taken. `document` is then of kQuarantined.
+  std::string quarantined;
 };
 
 struct PlanRequest {
@@ -118,9 +124,13 @@ class Knowledge {
   Knowledge(store::Store& store, prolog::EnginePool& engines);
   ~Knowledge();
 
-  // Validates whole, stores, and only then makes it visible.
+  // Validates whole, stores, and only then makes it visible. Throws a Refusal (refusal.h), and
+  // changes nothing, for axioms about terms of others and for contradictions.
   PutAnswer Put(const PutRequest& request);
   void Remove(store::DocumentKind kind, const std::string& id);
+  // Puts again what is kept aside under this id of kQuarantined; `editor` adds to the rights that
+  // it was sent with. Throws as Put, leaving it where it is.
+  PutAnswer Release(const std::string& quarantine_id, bool editor);
 
   // As Store::PutVersion, after the semantic layer (when it changes) was read, closed and its map
   // objects checked. Warnings: contradictions, absent imports.

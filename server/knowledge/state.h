@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "ontology/rdf/reader.h"
+#include "server/knowledge/authority.h"
 #include "server/knowledge/catalogue.h"
+#include "server/knowledge/consistency.h"
 #include "server/knowledge/overlays.h"
 
 namespace lares::server {
@@ -39,6 +41,9 @@ struct Knowledge::State {
   std::shared_ptr<const CatalogueState> catalogue_now;
 
   Changes changes;
+  Authority authority;
+  FirmCatalogue firm;
+
   std::mutex priors_mutex;
   std::map<std::string, std::shared_ptr<const PlaceTables>> priors;  // by name@version#generation
 
@@ -56,6 +61,13 @@ struct Knowledge::State {
     overlays.Renew(snapshot);
   }
 
+  // Throws a Refusal when `graph`, a document over the catalogue `base`, adds to terms of others.
+  void CheckAuthority(const CatalogueState& base, const rdf::Graph& graph, const Sent& sent,
+                      const authority::JudgeOptions& options = {});
+  // What of a contradiction in the top layer of `view`, which is `graph` over `base`, the document
+  // must answer for; nothing when the catalogue takes no side.
+  std::optional<Contradiction> Convict(const CatalogueState& base, const rdf::View& view,
+                                       const rdf::Graph& graph);
   // Catalogue + robot + recipe + environment, each where given.
   struct Stack {
     const store::DocumentInfo* robot = nullptr;

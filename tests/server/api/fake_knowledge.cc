@@ -72,6 +72,13 @@ void Knowledge::Remove(store::DocumentKind kind, const std::string& id) {
   state_->store.DeleteDocument(kind, id);
 }
 
+PutAnswer Knowledge::Release(const std::string& quarantine_id, bool editor) {
+  PutRequest request;
+  request.id = quarantine_id;
+  request.editor = editor;
+  return Put(request);
+}
+
 Knowledge::VersionAnswer Knowledge::PutVersion(const store::NewVersion& version) {
   return {state_->store.PutVersion(version), {}, {"a warning"}, {}};
 }
