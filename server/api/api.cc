@@ -18,6 +18,8 @@ http::Router MakeRouter(Context& context) {
   AddEnvironmentDownloadRoutes(router, context);
   AddPlanRoutes(router, context);
   AddLikelyPlaceRoutes(router, context);
+  AddSparqlRoutes(router, context);
+  AddWatchRoutes(router, context);
   return router;
 }
 

@@ -77,6 +77,12 @@ http::Response MetricsText(const Context& context) {
         static_cast<double>(counts.clashes)},
        {"lares_store_healthy", "1 while the store takes writes.",
         context.store.health().empty() ? 1.0 : 0.0},
+       {"lares_snapshots_pinned", "Snapshots that running questions hold.",
+        static_cast<double>(context.snapshots->count())},
+       {"lares_snapshot_oldest_seconds", "Age of the one that was pinned first; 0 without any.",
+        std::chrono::duration<double>(context.snapshots->OldestAge()).count()},
+       {"lares_watch_subscribers", "Clients that watch a query.",
+        static_cast<double>(context.watches->subscribers())},
        {"lares_uptime_seconds", "Since the server started.",
         std::chrono::duration<double>(uptime).count()}});
   return response;

@@ -65,6 +65,8 @@ int Run(int argc, const char* const* argv) {
     AddPrior(app, options);
     AddObjectModel(app, options);
     AddOntology(app, options);
+    AddSparql(app, options);
+    AddWatch(app, options);
     AddStatus(app, options);
     return ParseAndRun(app, options, argc, argv);
   } catch (const std::exception& error) {

@@ -30,6 +30,8 @@ void AddObjectModel(CLI::App& app, const Options& options);
 void AddPlan(CLI::App& app, const Options& options);
 void AddPrior(CLI::App& app, const Options& options);
 void AddWhere(CLI::App& app, const Options& options);
+void AddSparql(CLI::App& app, const Options& options);
+void AddWatch(CLI::App& app, const Options& options);
 void AddStatus(CLI::App& app, const Options& options);
 
 // A subcommand with its examples below the help.
