@@ -20,6 +20,8 @@ http::Router MakeRouter(Context& context) {
   AddPlanRoutes(router, context);
   AddLikelyPlaceRoutes(router, context);
   AddPrologRoutes(router, context);
+  AddSparqlRoutes(router, context);
+  AddWatchRoutes(router, context);
   return router;
 }
 

@@ -33,6 +33,8 @@ void AddPrior(CLI::App& app, const Options& options);
 void AddProlog(CLI::App& app, const Options& options);
 void AddQuarantine(CLI::App& app, const Options& options);
 void AddWhere(CLI::App& app, const Options& options);
+void AddSparql(CLI::App& app, const Options& options);
+void AddWatch(CLI::App& app, const Options& options);
 void AddStatus(CLI::App& app, const Options& options);
 
 // A subcommand with its examples below the help.
