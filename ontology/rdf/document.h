@@ -14,12 +14,12 @@
 
 namespace lares::rdf {
 
-enum class Format { kRdfXml, kTurtle, kTriG, kNTriples, kNQuads };
+enum class Format { kRdfXml, kTurtle, kTriG, kNTriples, kNQuads, kJsonLd };
 
 // "application/rdf+xml", "text/turtle", …
 std::string_view MediaType(Format format);
 // From a media type (parameters ignored), a file name (".owl", ".rdf", ".ttl", ".trig", ".nt",
-// ".nq") or, with neither telling, the first bytes. Throws kUnsupported.
+// ".nq", ".jsonld") or, with neither telling, the first bytes. Throws kUnsupported.
 Format GuessFormat(std::string_view media_type, std::string_view file_name, std::string_view bytes);
 
 struct Statement {

@@ -12,23 +12,26 @@ struct Row {
   Format format;
 };
 
-constexpr std::array<Row, 9> kMediaTypes = {{{"application/rdf+xml", Format::kRdfXml},
-                                             {"application/xml", Format::kRdfXml},
-                                             {"text/xml", Format::kRdfXml},
-                                             {"text/turtle", Format::kTurtle},
-                                             {"application/x-turtle", Format::kTurtle},
-                                             {"application/trig", Format::kTriG},
-                                             {"application/x-trig", Format::kTriG},
-                                             {"application/n-triples", Format::kNTriples},
-                                             {"application/n-quads", Format::kNQuads}}};
+constexpr std::array<Row, 10> kMediaTypes = {{{"application/rdf+xml", Format::kRdfXml},
+                                              {"application/xml", Format::kRdfXml},
+                                              {"text/xml", Format::kRdfXml},
+                                              {"text/turtle", Format::kTurtle},
+                                              {"application/x-turtle", Format::kTurtle},
+                                              {"application/trig", Format::kTriG},
+                                              {"application/x-trig", Format::kTriG},
+                                              {"application/n-triples", Format::kNTriples},
+                                              {"application/n-quads", Format::kNQuads},
+                                              {"application/ld+json", Format::kJsonLd}}};
 
-constexpr std::array<Row, 7> kExtensions = {{{".rdf", Format::kRdfXml},
+constexpr std::array<Row, 9> kExtensions = {{{".rdf", Format::kRdfXml},
                                              {".xml", Format::kRdfXml},
                                              {".rdfs", Format::kRdfXml},
                                              {".ttl", Format::kTurtle},
                                              {".trig", Format::kTriG},
                                              {".nt", Format::kNTriples},
-                                             {".nq", Format::kNQuads}}};
+                                             {".nq", Format::kNQuads},
+                                             {".jsonld", Format::kJsonLd},
+                                             {".json", Format::kJsonLd}}};
 
 // Types that clients send when they do not know.
 constexpr std::array<std::string_view, 3> kVagueTypes = {"application/octet-stream", "text/plain",
@@ -64,10 +67,18 @@ bool IsMarkup(std::string_view text) {
   return name == "rdf:RDF" || name == "RDF";
 }
 
+// "{" and a key, or "[" and an object: no Turtle, and no graph of TriG.
+bool IsJson(std::string_view text) {
+  if (text[0] != '{' && text[0] != '[') return false;
+  const std::size_t next = text.find_first_not_of(" \t\r\n", 1);
+  return next != std::string_view::npos && text[next] == (text[0] == '{' ? '"' : '{');
+}
+
 std::optional<Format> FromBytes(std::string_view bytes) {
   const std::string_view text = SkipBlank(bytes.substr(0, 1 << 16));
   if (text.empty()) return std::nullopt;
   if (IsMarkup(text)) return Format::kRdfXml;
+  if (IsJson(text)) return Format::kJsonLd;
   if (text[0] == '{' || StartsWithWord(text, "graph")) return Format::kTriG;
   if (StartsWithWord(text, "@prefix") || StartsWithWord(text, "@base") ||
       StartsWithWord(text, "prefix") || StartsWithWord(text, "base") || text[0] == '<' ||
@@ -80,8 +91,8 @@ std::optional<Format> FromBytes(std::string_view bytes) {
 [[noreturn]] void Refuse(const std::string& why) {
   throw Error(Code::kUnsupported, why)
       .WithHint(
-          "RDF/XML (.owl, .rdf), Turtle (.ttl), TriG (.trig), N-Triples (.nt) and N-Quads (.nq) "
-          "are read");
+          "RDF/XML (.owl, .rdf), Turtle (.ttl), TriG (.trig), N-Triples (.nt), N-Quads (.nq) and "
+          "JSON-LD (.jsonld) are read");
 }
 
 // Syntaxes of OWL that are not RDF, whatever they were sent as.
@@ -109,6 +120,8 @@ std::string_view MediaType(Format format) {
       return "application/n-triples";
     case Format::kNQuads:
       return "application/n-quads";
+    case Format::kJsonLd:
+      return "application/ld+json";
   }
   return "application/octet-stream";
 }

@@ -56,6 +56,7 @@ Document ReadRdf(std::string_view bytes, Format format, const ReadOptions& optio
   if (format == Format::kRdfXml) return ReadRdfXml(bytes, options);
   CheckText(bytes, options.source);
   if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+  if (format == Format::kJsonLd) return ReadJsonLd(bytes, options);
   return ReadWithSerd(bytes, format, options);
 }
 

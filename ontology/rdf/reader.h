@@ -1,4 +1,5 @@
-// Reading RDF: RDF/XML (libxml2's reader, then Raptor), Turtle, TriG, N-Triples, N-Quads (Serd).
+// Reading RDF: RDF/XML (libxml2's reader, then Raptor), Turtle, TriG, N-Triples, N-Quads (Serd),
+// JSON-LD (our own).
 #pragma once
 
 #include <cstddef>
@@ -30,6 +31,10 @@ struct ReadOptions {
 // characters, text is UTF-8. A relative IRI where no base is known is an error, so give one. The
 // Turtle family is read strictly (N-Triples: one statement to a line). RDF/XML nests 256 elements
 // at most, whatever max_depth says: libxml2's own bound. Columns count characters.
+//
+// JSON-LD 1.1 with the contexts that stand in the document; one by IRI is an error, and so is the
+// same key twice. What its standard has left out (names without a meaning, IRIs that are none) is
+// left out with a warning for each of the first 100.
 //
 // With `recover`, RDF/XML may have: malformed comments ("<!-x-->", "--" inside), references to
 // undefined entities whose namespace is known (built-in prefixes and the document's own xmlns), and

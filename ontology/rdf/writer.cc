@@ -35,7 +35,7 @@ void CheckDocument(const Document& document, bool may_have_graphs) {
     CheckStatement(document, statement);
     if (!may_have_graphs && statement.graph != Statement::kDefaultGraph) {
       throw Error(Code::kInvalid, "the document has named graphs, which this format cannot hold")
-          .WithHint("TriG and N-Quads can");
+          .WithHint("TriG, N-Quads and JSON-LD can");
     }
   }
 }
@@ -72,8 +72,12 @@ std::string WriteLines(const Document& document) {
   return out;
 }
 
+bool HoldsGraphs(Format format) {
+  return format == Format::kTriG || format == Format::kNQuads || format == Format::kJsonLd;
+}
+
 std::string WriteRdf(const Document& document, Format format) {
-  CheckDocument(document, format == Format::kTriG || format == Format::kNQuads);
+  CheckDocument(document, HoldsGraphs(format));
   switch (format) {
     case Format::kNTriples:
     case Format::kNQuads:
@@ -83,6 +87,8 @@ std::string WriteRdf(const Document& document, Format format) {
       return WriteTurtle(document);
     case Format::kRdfXml:
       return WriteRdfXml(document);
+    case Format::kJsonLd:
+      return WriteJsonLd(document);
   }
   throw Error(Code::kInternal, "a format that is none");
 }

@@ -17,5 +17,6 @@ std::string WriteLines(const Document& document);
 // Turtle or, with graphs, TriG.
 std::string WriteTurtle(const Document& document);
 std::string WriteRdfXml(const Document& document);
+std::string WriteJsonLd(const Document& document);
 
 }  // namespace lares::rdf
