@@ -44,6 +44,9 @@ struct Document {
   Format format = Format::kTurtle;
   std::vector<Term> terms;  // each distinct term once, as written (aliases not applied)
   std::vector<Statement> statements;
+  // On request (ReadOptions::record_lines), for each statement the line on which it ends, give or
+  // take one; empty otherwise and where the format's reader does not know.
+  std::vector<std::uint32_t> lines;
   std::map<std::string, std::string> prefixes;  // prefix without ':' → IRI
   std::vector<std::string> imports;             // objects of owl:imports, as written
   std::vector<Remark> remarks;                  // repairs and warnings, in order of place

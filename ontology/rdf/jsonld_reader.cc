@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "ontology/rdf/document_builder.h"
 #include "ontology/rdf/jsonld_context.h"
@@ -47,6 +49,7 @@ class StatementMaker {
   void Add(std::uint32_t subject, const std::string& predicate, std::uint32_t object,
            std::size_t offset);
   std::optional<std::uint32_t> ResourceOf(const std::string& name, std::size_t offset);
+  std::uint32_t LineOf(std::size_t offset);
   std::uint32_t FreshBlank();
   std::uint32_t BlankOf(const std::string& label);
   std::optional<std::uint32_t> TermOf(const Object& object);
@@ -62,6 +65,7 @@ class StatementMaker {
   bool drops_graph_ = false;  // inside a graph whose name is no IRI
   std::unordered_map<std::string, std::string> labels_;
   std::size_t blanks_ = 0;
+  std::vector<std::size_t> line_starts_;  // made when first asked for
 };
 
 Document StatementMaker::Run() {
@@ -123,7 +127,19 @@ void StatementMaker::Add(std::uint32_t subject, const std::string& predicate, st
   At(offset, [&] {
     const std::uint32_t property = builder_.Intern({TermKind::kIri, predicate, {}, {}});
     builder_.Add({subject, property, object, graph_});
+    if (options_.record_lines) builder_.document().lines.push_back(LineOf(offset));
   });
+}
+
+std::uint32_t StatementMaker::LineOf(std::size_t offset) {
+  if (line_starts_.empty()) {
+    line_starts_.push_back(0);
+    for (std::size_t i = 0; i < text_.size(); ++i) {
+      if (text_[i] == '\n') line_starts_.push_back(i + 1);
+    }
+  }
+  const auto next = std::upper_bound(line_starts_.begin(), line_starts_.end(), offset);
+  return static_cast<std::uint32_t>(next - line_starts_.begin());
 }
 
 std::uint32_t StatementMaker::FreshBlank() {

@@ -17,7 +17,8 @@ struct ReadOptions {
   // Namespaces that `recover` may take an undeclared entity for, beside rdf, rdfs, owl, xsd and the
   // document's own prefixes: prefix → IRI.
   std::map<std::string, std::string> known_namespaces;
-  bool recover = false;  // repair the known faults of RDF/XML, listing each as a remark
+  bool record_lines = false;  // fill Document::lines; slower
+  bool recover = false;       // repair the known faults of RDF/XML, listing each as a remark
   std::size_t max_bytes = 256u << 20;  // of the document
   std::size_t max_statements = 20'000'000;
   std::size_t max_term_bytes = 16u << 20;    // of one literal or IRI

@@ -23,6 +23,7 @@ void AddServe(CLI::App& app, const Options& options);
 void AddRecipe(CLI::App& app, const Options& options);
 void AddRobot(CLI::App& app, const Options& options);
 void AddOntology(CLI::App& app, const Options& options);
+void AddOntologyCheck(CLI::App& ontology, const Options& options);
 void AddEnvironment(CLI::App& app, const Options& options);
 void AddEnvironmentPut(CLI::App& environment, const Options& options);
 void AddEnvironmentGet(CLI::App& environment, const Options& options);

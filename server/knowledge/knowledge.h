@@ -13,6 +13,7 @@
 #include "ontology/rdf/document.h"
 #include "ontology/triples/view.h"
 #include "reasoner/places/prior.h"
+#include "reasoner/profile/finding.h"
 #include "reasoner/prolog/engine_pool.h"
 #include "recipes/match/match.h"
 #include "recipes/plan/plan.h"
@@ -101,6 +102,20 @@ struct WhereAnswer {
   std::vector<Place> furniture;  // ranked; empty when the table has none
 };
 
+struct CheckRequest {
+  std::string media_type;  // may be empty: guessed
+  std::string file_name;
+  std::string bytes;
+  bool recover = false;
+};
+
+struct CheckAnswer {
+  profile::Report report;
+  std::vector<rdf::Remark> remarks;   // of reading
+  std::vector<std::string> warnings;  // absent imports
+  std::size_t statements = 0;
+};
+
 struct ObjectModelInfo {
   store::DocumentInfo document;
   std::vector<recipes::Resource> classes;  // what it is a model of
@@ -120,6 +135,9 @@ class Knowledge {
   // Validates whole, stores, and only then makes it visible.
   PutAnswer Put(const PutRequest& request);
   void Remove(store::DocumentKind kind, const std::string& id);
+  // What is wrong with an ontology document beside the catalogue; nothing is kept. Throws as Put
+  // for what cannot be read, kTooLarge, kTimeout.
+  CheckAnswer Check(const CheckRequest& request);
 
   // As Store::PutVersion, after the semantic layer (when it changes) was read, closed and its map
   // objects checked. Warnings: contradictions, absent imports.
