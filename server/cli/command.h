@@ -24,6 +24,7 @@ void AddRecipe(CLI::App& app, const Options& options);
 void AddRobot(CLI::App& app, const Options& options);
 void AddOntology(CLI::App& app, const Options& options);
 void AddOntologyConvert(CLI::App& ontology);
+void AddOntologyCheck(CLI::App& ontology, const Options& options);
 void AddEnvironment(CLI::App& app, const Options& options);
 void AddEnvironmentPut(CLI::App& environment, const Options& options);
 void AddEnvironmentGet(CLI::App& environment, const Options& options);

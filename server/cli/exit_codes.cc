@@ -31,6 +31,7 @@ const std::vector<ExitMeaning>& ExitMeanings() {
       {ExitCode::kUnavailable,
        "the server cannot do it now: storage full, stopping, out of time",
        {"unavailable", "timeout", "request-timeout"}},
+      {ExitCode::kFindings, "a check found something", {}},
   };
   return meanings;
 }
@@ -45,6 +46,7 @@ ExitCode ExitCodeOf(std::string_view problem_code) {
 
 ExitCode ExitCodeOf(const std::exception& error) {
   if (dynamic_cast<const http::NoServerError*>(&error) != nullptr) return ExitCode::kNoServer;
+  if (dynamic_cast<const FindingsError*>(&error) != nullptr) return ExitCode::kFindings;
   if (const auto* remote = dynamic_cast<const RemoteError*>(&error)) {
     return ExitCodeOf(remote->problem_code());
   }

@@ -66,30 +66,6 @@ void AddNames(const Resource& resource, std::vector<store::DocumentName>& names)
   }
 }
 
-// The imports that neither our modules nor stored documents answer: nothing is ever fetched.
-std::vector<std::string> AbsentImports(const rdf::Document& document,
-                                       const std::vector<Knowledge::Module>& modules,
-                                       const rdf::AliasTable& aliases) {
-  std::vector<std::string> warnings;
-  for (const std::string& import : document.imports) {
-    std::string_view name = import;
-    while (!name.empty() && (name.back() == '#' || name.back() == '/')) name.remove_suffix(1);
-    const std::string file(name.substr(name.find_last_of('/') + 1));
-    const std::string stem = StemOf(file);
-    const bool is_module = std::any_of(modules.begin(), modules.end(),
-                                       [&](const auto& module) { return module.id == stem; });
-    const bool is_aliased =
-        std::any_of(aliases.aliases().begin(), aliases.aliases().end(), [&](const auto& alias) {
-          return alias.is_namespace && alias.alias.ends_with("/" + file + "#");
-        });
-    if (!is_module && !is_aliased) {
-      warnings.push_back("imports <" + import +
-                         ">, which is not in the local catalogue; nothing is fetched");
-    }
-  }
-  return warnings;
-}
-
 // One document on its way in.
 struct Incoming {
   const PutRequest& request;
@@ -241,6 +217,29 @@ PutAnswer PutPrior(store::Store& store, const rdf::AliasTable& aliases, const Pu
 }
 
 }  // namespace
+
+std::vector<std::string> AbsentImports(const rdf::Document& document,
+                                       const std::vector<Knowledge::Module>& modules,
+                                       const rdf::AliasTable& aliases) {
+  std::vector<std::string> warnings;
+  for (const std::string& import : document.imports) {
+    std::string_view name = import;
+    while (!name.empty() && (name.back() == '#' || name.back() == '/')) name.remove_suffix(1);
+    const std::string file(name.substr(name.find_last_of('/') + 1));
+    const std::string stem = StemOf(file);
+    const bool is_module = std::any_of(modules.begin(), modules.end(),
+                                       [&](const auto& module) { return module.id == stem; });
+    const bool is_aliased =
+        std::any_of(aliases.aliases().begin(), aliases.aliases().end(), [&](const auto& alias) {
+          return alias.is_namespace && alias.alias.ends_with("/" + file + "#");
+        });
+    if (!is_module && !is_aliased) {
+      warnings.push_back("imports <" + import +
+                         ">, which is not in the local catalogue; nothing is fetched");
+    }
+  }
+  return warnings;
+}
 
 PutAnswer Knowledge::Put(const PutRequest& original) {
   PutRequest request = original;

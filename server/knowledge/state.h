@@ -89,6 +89,12 @@ std::string EnvironmentGraphName(const std::string& environment);
 rdf::ReadOptions OptionsFor(const std::string& graph_name, const std::string& source,
                             const rdf::AliasTable& aliases);
 
+// The imports that neither our modules nor stored documents answer: nothing is ever fetched. One
+// sentence for each.
+std::vector<std::string> AbsentImports(const rdf::Document& document,
+                                       const std::vector<Knowledge::Module>& modules,
+                                       const rdf::AliasTable& aliases);
+
 // The document behind a graph, read as it was when it was accepted: plainly, or repaired where that
 // was asked for then.
 rdf::Document ReadStored(const store::Store& store, const rdf::AliasTable& aliases,
