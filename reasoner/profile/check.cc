@@ -10,6 +10,7 @@
 namespace lares::profile {
 
 Report Check(const Input& input, std::stop_token stop) {
+  if (stop.stop_requested()) throw Error(Code::kTimeout, "the check took too long");
   const DocumentIndex index(input.document);
   Collector found(index, input.text, input.source);
   CheckStructure(index, found);

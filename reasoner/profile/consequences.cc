@@ -73,6 +73,7 @@ class ConsequenceCheck {
   // two of them one), so a contradiction is narrowed down until one class alone has it.
   void Try(std::span<const Candidate> candidates) {
     if (candidates.empty()) return;
+    if (stop_.stop_requested()) throw Error(Code::kTimeout, "the check took too long");
     rdf::Graph graph;
     graph.name = "check:members";
     for (const Candidate& candidate : candidates) {
@@ -133,6 +134,13 @@ class ConsequenceCheck {
   }
 
   void ReportClash(const rdf::Clash& clash) {
+    // What is of two kinds is told by its own name.
+    for (const rdf::Triple& premise : clash.premises) {
+      const auto term = terms_.find(premise.subject);
+      if (premise.predicate != Iri(rdf::kRdf, "type") || term == terms_.end()) continue;
+      if (view_.dictionary().Get(premise.object).value.starts_with(rdf::kOwl)) continue;
+      return found_.Add(Kind::kContradiction, Sentence(clash), Collector::kNone, term->second);
+    }
     for (const rdf::Triple& premise : clash.premises) {
       for (const rdf::TermId id : {premise.subject, premise.object}) {
         const auto term = terms_.find(id);

@@ -103,7 +103,7 @@ TEST_F(ProfileTest, EachConstructIsAllowedWhereRlHasIt) {
       {":A rdfs:subClassOf [ a owl:Class ; owl:complementOf :B ] .", ""},
       {"[ a owl:Class ; owl:complementOf :B ] rdfs:subClassOf :A .",
        "owl:complementOf on the side of the subclass"},
-      {":A rdfs:subClassOf [ a owl:Class ; owl:complementOf [ a owl:Class ; owl:unionOf (:A :B) ] "
+      {":A rdfs:subClassOf [ a owl:Class ; owl:complementOf [ a owl:Class ; owl:unionOf (:B) ] "
        "] "
        ".",
        ""},
@@ -162,10 +162,10 @@ TEST_F(ProfileTest, MalformedStructuresAreNamed) {
 
 TEST_F(ProfileTest, UndeclaredTermsAreToldWithSimilarNames) {
   const Report report = CheckTurtle(
-      ":Cup a owl:Class ;\n  rdfs:subClassOf :Soild .\n:c a :Cup ;\n  :hasPrat :d .\n"
+      ":Cup a owl:Class ;\n  rdfs:subClassOf :Sollid .\n:c a :Cup ;\n  :hasPrat :d .\n"
       ":e :hasPart :stone .\n:f a :Cup ; :hasPart :c .");
   const std::string text = Text(report);
-  EXPECT_THAT(text, HasSubstr("x:3:20: undeclared: the class Soild is declared nowhere; similar "
+  EXPECT_THAT(text, HasSubstr("x:3:20: undeclared: the class Sollid is declared nowhere; similar "
                               "names: Solid"));
   EXPECT_THAT(text,
               HasSubstr("x:5:4: undeclared: the property hasPrat is declared nowhere; similar "
@@ -245,12 +245,12 @@ TEST_F(ProfileTest, PlacesAreKnownInEveryFormat) {
       " xmlns:owl='http://www.w3.org/2002/07/owl#'\n"
       " xmlns:rdfs='http://www.w3.org/2000/01/rdf-schema#'>\n"
       "<owl:Class rdf:about='http://e/#Cup'>\n"
-      " <rdfs:subClassOf rdf:resource='http://e/#Soild'/>\n</owl:Class>\n</rdf:RDF>";
+      " <rdfs:subClassOf rdf:resource='http://e/#Sollid'/>\n</owl:Class>\n</rdf:RDF>";
   const std::string json =
       "{\"@id\": \"http://e/#Cup\",\n \"@type\": \"http://www.w3.org/2002/07/owl#Class\",\n"
-      " \"http://www.w3.org/2000/01/rdf-schema#subClassOf\":\n  {\"@id\": \"http://e/#Soild\"}}";
-  EXPECT_THAT(Text(Check(xml, rdf::Format::kRdfXml)), HasSubstr("x:5:42: undeclared: the class"));
-  EXPECT_THAT(Text(Check(json, rdf::Format::kJsonLd)), HasSubstr("x:4:21: undeclared: the class"));
+      " \"http://www.w3.org/2000/01/rdf-schema#subClassOf\":\n  {\"@id\": \"http://e/#Sollid\"}}";
+  EXPECT_THAT(Text(Check(xml, rdf::Format::kRdfXml)), HasSubstr("x:5:43: undeclared: the class"));
+  EXPECT_THAT(Text(Check(json, rdf::Format::kJsonLd)), HasSubstr("x:4:22: undeclared: the class"));
 }
 
 TEST_F(ProfileTest, EmptyAndHostileDocumentsAreChecked) {
