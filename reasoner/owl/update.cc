@@ -64,7 +64,6 @@ class Change {
         stop_(std::move(stop)),
         words_(below.dictionary()),
         asserted_(Union(after)) {
-    options_.on_derivation = nullptr;
     const Triples asserted_before = Union(before.graphs());
     for (const rdf::Triple& triple : Minus(asserted_before, asserted_)) {
       if (layer_.Contains(triple)) removed_.push_back(triple);
@@ -193,9 +192,7 @@ std::shared_ptr<const rdf::Layer> Update(const rdf::View& below, const rdf::Laye
   std::optional<rdf::Inference> inference =
       Change(below, before, graphs_after, options, stop).Run();
   if (!inference) {
-    Options anew = options;
-    anew.on_derivation = nullptr;
-    return Materialise(below, std::move(graphs_after), anew, std::move(stop));
+    return Materialise(below, std::move(graphs_after), options, std::move(stop));
   }
   return std::make_shared<const rdf::Layer>(std::move(graphs_after), std::move(*inference));
 }
