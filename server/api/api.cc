@@ -20,6 +20,7 @@ http::Router MakeRouter(Context& context) {
   AddPlanRoutes(router, context);
   AddLikelyPlaceRoutes(router, context);
   AddPrologRoutes(router, context);
+  AddReasonRoutes(router, context);
   AddSparqlRoutes(router, context);
   AddWatchRoutes(router, context);
   return router;

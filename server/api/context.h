@@ -43,6 +43,7 @@ void AddPlanRoutes(http::Router& router, Context& context);
 void AddLikelyPlaceRoutes(http::Router& router, Context& context);
 void AddPrologRoutes(http::Router& router, Context& context);
 void AddQuarantineRoutes(http::Router& router, Context& context);
+void AddReasonRoutes(http::Router& router, Context& context);
 void AddSparqlRoutes(http::Router& router, Context& context);
 void AddWatchRoutes(http::Router& router, Context& context);
 void AddOperationRoutes(http::Router& router, Context& context);

@@ -68,6 +68,8 @@ int Run(int argc, const char* const* argv) {
     AddProlog(app, options);
     AddQuarantine(app, options);
     AddSparql(app, options);
+    AddWhy(app, options);
+    AddDistance(app, options);
     AddWatch(app, options);
     AddStatus(app, options);
     return ParseAndRun(app, options, argc, argv);

@@ -36,6 +36,8 @@ void AddQuarantine(CLI::App& app, const Options& options);
 void AddWhere(CLI::App& app, const Options& options);
 void AddSparql(CLI::App& app, const Options& options);
 void AddWatch(CLI::App& app, const Options& options);
+void AddWhy(CLI::App& app, const Options& options);  // why and why-not
+void AddDistance(CLI::App& app, const Options& options);
 void AddStatus(CLI::App& app, const Options& options);
 
 // A subcommand with its examples below the help.
