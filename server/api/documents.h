@@ -29,8 +29,8 @@ Upload ReadUpload(const http::Request& request);
 server::PutRequest ToPutRequest(store::DocumentKind kind, const http::Request& request,
                                 const store::Store& store);
 
-// 201 for a first version, 200 for a later one, with ETag and Location; 202 for one kept aside, with
-// the Location of that.
+// 201 for a first version, 200 for a later one, with ETag and Location; 202 for one kept aside,
+// with the Location of that.
 http::Response PutAnswerToResponse(const server::PutAnswer& answer, const std::string& collection,
                                    bool existed);
 
