@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ontology/rdf/owl_syntax/owl_writers.h"
 #include "ontology/rdf/term_checks.h"
 #include "ontology/rdf/writers.h"
 
@@ -35,9 +36,35 @@ void CheckDocument(const Document& document, bool may_have_graphs) {
     CheckStatement(document, statement);
     if (!may_have_graphs && statement.graph != Statement::kDefaultGraph) {
       throw Error(Code::kInvalid, "the document has named graphs, which this format cannot hold")
-          .WithHint("TriG and N-Quads can");
+          .WithHint("TriG, N-Quads and JSON-LD can");
     }
   }
+}
+
+std::string Describe(const Document& document, const LeftOutTriple& left_out) {
+  const Statement& statement = left_out.statement;
+  std::string text;
+  for (const std::uint32_t term : {statement.subject, statement.predicate, statement.object}) {
+    text += ToNTriples(document.terms[term].view()) + " ";
+  }
+  return text + ". (" + left_out.why + ")";
+}
+
+std::string PrintAxioms(const Document& document, const OwlOntology& ontology, Format format) {
+  return format == Format::kOwlXml ? PrintOwlXml(document, ontology)
+                                   : PrintFunctional(document, ontology);
+}
+
+std::string WriteOwl(const Document& document, Format format) {
+  const AxiomsOfDocument axioms = AxiomsOf(document);
+  if (!axioms.left_out.empty()) {
+    const std::size_t more = axioms.left_out.size() - 1;
+    throw Error(Code::kInvalid,
+                "no axiom of OWL 2 says " + Describe(document, axioms.left_out[0]) +
+                    (more == 0 ? "" : ", nor " + std::to_string(more) + " more of its triples"))
+        .WithHint("Turtle can hold any triple");
+  }
+  return PrintAxioms(document, axioms.ontology, format);
 }
 
 }  // namespace
@@ -72,8 +99,26 @@ std::string WriteLines(const Document& document) {
   return out;
 }
 
+bool HoldsOnlyAxioms(Format format) {
+  return format == Format::kOwlFunctional || format == Format::kOwlXml;
+}
+
+OwlText WriteAxioms(const Document& document, Format format) {
+  CheckDocument(document, false);
+  const AxiomsOfDocument axioms = AxiomsOf(document);
+  OwlText written{PrintAxioms(document, axioms.ontology, format), {}};
+  for (const LeftOutTriple& triple : axioms.left_out) {
+    written.left_out.push_back(Describe(document, triple));
+  }
+  return written;
+}
+
+bool HoldsGraphs(Format format) {
+  return format == Format::kTriG || format == Format::kNQuads || format == Format::kJsonLd;
+}
+
 std::string WriteRdf(const Document& document, Format format) {
-  CheckDocument(document, format == Format::kTriG || format == Format::kNQuads);
+  CheckDocument(document, HoldsGraphs(format));
   switch (format) {
     case Format::kNTriples:
     case Format::kNQuads:
@@ -83,6 +128,11 @@ std::string WriteRdf(const Document& document, Format format) {
       return WriteTurtle(document);
     case Format::kRdfXml:
       return WriteRdfXml(document);
+    case Format::kOwlFunctional:
+    case Format::kOwlXml:
+      return WriteOwl(document, format);
+    case Format::kJsonLd:
+      return WriteJsonLd(document);
   }
   throw Error(Code::kInternal, "a format that is none");
 }

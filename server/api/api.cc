@@ -19,6 +19,9 @@ http::Router MakeRouter(Context& context) {
   AddQuarantineRoutes(router, context);
   AddPlanRoutes(router, context);
   AddLikelyPlaceRoutes(router, context);
+  AddPrologRoutes(router, context);
+  AddSparqlRoutes(router, context);
+  AddWatchRoutes(router, context);
   return router;
 }
 

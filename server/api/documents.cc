@@ -124,12 +124,14 @@ http::Response DeleteDocument(const http::Request& request, DocumentKind kind, C
 
 const std::vector<std::string>& RdfUploadTypes() {
   static const std::vector<std::string> types = {
-      "application/rdf+xml", "text/turtle",     "application/trig",         "application/n-triples",
-      "application/n-quads", "application/xml", "application/octet-stream", "multipart/form-data"};
+      "application/rdf+xml",      "text/turtle",         "application/trig",
+      "application/n-triples",    "application/n-quads", "text/owl-functional",
+      "application/owl+xml",      "application/ld+json", "application/xml",
+      "application/octet-stream", "multipart/form-data"};
   return types;
 }
 
-Upload ReadUpload(const http::Request& request) {
+Upload ReadUpload(const http::Request& request, bool needs_id) {
   Upload upload;
   const auto media = http::ParseMediaType(request.headers.Get("Content-Type"));
   if (media && media->type == "multipart/form-data") {
@@ -139,6 +141,7 @@ Upload ReadUpload(const http::Request& request) {
     upload.file_name = http::SafeFileName(request.Query("file_name").value_or(""));
     upload.bytes = http::ReadWholeBody(request, kMaxDocumentBytes);
   }
+  if (!needs_id) return upload;
   if (const auto id = request.params.find("id"); id != request.params.end()) {
     upload.id = id->second;
   } else if (const auto query = request.Query("id")) {

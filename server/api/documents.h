@@ -22,8 +22,8 @@ struct Upload {
   std::string bytes;
   std::string id;  // of the route, of ?id=, of a form's field "id", else the file name's stem
 };
-// Throws kInvalid when there is neither an id nor a file name.
-Upload ReadUpload(const http::Request& request);
+// Throws kInvalid when there is neither an id nor a file name, unless none is needed.
+Upload ReadUpload(const http::Request& request, bool needs_id = true);
 
 // The request as PutRequest without the kind's own fields: If-Match, ?recover= and the upload.
 server::PutRequest ToPutRequest(store::DocumentKind kind, const http::Request& request,

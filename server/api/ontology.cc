@@ -49,6 +49,16 @@ std::optional<http::Response> BuiltInModule(const std::string& id) {
   return std::nullopt;
 }
 
+http::Response CheckOntology(const http::Request& request, const Context& context) {
+  Upload upload = ReadUpload(request, false);
+  server::CheckRequest check;
+  check.media_type = std::move(upload.media_type);
+  check.file_name = std::move(upload.file_name);
+  check.bytes = std::move(upload.bytes);
+  check.recover = QueryFlag(request, "recover");
+  return JsonAnswer(ToJson(context.knowledge.Check(check)));
+}
+
 http::Response ListAliases(const http::Request& request, const Context& context) {
   const std::vector<rdf::Alias>& aliases = context.knowledge.aliases().aliases();
   return Page(
@@ -113,6 +123,9 @@ void AddOntologyRoutes(http::Router& router, Context& context) {
     }
     router.Add(std::move(route));
   }
+  router.Add({"POST", "/v1/ontology/check", "checkOntology",
+              [&context](const http::Request& request) { return CheckOntology(request, context); },
+              RdfUploadTypes(), kMaxDocumentBytes + (1u << 20)});
   router.Add({"GET",
               "/v1/ontology/aliases",
               "listAliases",

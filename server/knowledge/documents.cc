@@ -66,30 +66,6 @@ void AddNames(const Resource& resource, std::vector<store::DocumentName>& names)
   }
 }
 
-// The imports that neither our modules nor stored documents answer: nothing is ever fetched.
-std::vector<std::string> AbsentImports(const rdf::Document& document,
-                                       const std::vector<Knowledge::Module>& modules,
-                                       const rdf::AliasTable& aliases) {
-  std::vector<std::string> warnings;
-  for (const std::string& import : document.imports) {
-    std::string_view name = import;
-    while (!name.empty() && (name.back() == '#' || name.back() == '/')) name.remove_suffix(1);
-    const std::string file(name.substr(name.find_last_of('/') + 1));
-    const std::string stem = StemOf(file);
-    const bool is_module = std::any_of(modules.begin(), modules.end(),
-                                       [&](const auto& module) { return module.id == stem; });
-    const bool is_aliased =
-        std::any_of(aliases.aliases().begin(), aliases.aliases().end(), [&](const auto& alias) {
-          return alias.is_namespace && alias.alias.ends_with("/" + file + "#");
-        });
-    if (!is_module && !is_aliased) {
-      warnings.push_back("imports <" + import +
-                         ">, which is not in the local catalogue; nothing is fetched");
-    }
-  }
-  return warnings;
-}
-
 // One document on its way in.
 struct Incoming {
   const PutRequest& request;
@@ -242,6 +218,29 @@ PutAnswer PutPrior(store::Store& store, const rdf::AliasTable& aliases, const Pu
 
 }  // namespace
 
+std::vector<std::string> AbsentImports(const rdf::Document& document,
+                                       const std::vector<Knowledge::Module>& modules,
+                                       const rdf::AliasTable& aliases) {
+  std::vector<std::string> warnings;
+  for (const std::string& import : document.imports) {
+    std::string_view name = import;
+    while (!name.empty() && (name.back() == '#' || name.back() == '/')) name.remove_suffix(1);
+    const std::string file(name.substr(name.find_last_of('/') + 1));
+    const std::string stem = StemOf(file);
+    const bool is_module = std::any_of(modules.begin(), modules.end(),
+                                       [&](const auto& module) { return module.id == stem; });
+    const bool is_aliased =
+        std::any_of(aliases.aliases().begin(), aliases.aliases().end(), [&](const auto& alias) {
+          return alias.is_namespace && alias.alias.ends_with("/" + file + "#");
+        });
+    if (!is_module && !is_aliased) {
+      warnings.push_back("imports <" + import +
+                         ">, which is not in the local catalogue; nothing is fetched");
+    }
+  }
+  return warnings;
+}
+
 PutAnswer Knowledge::Put(const PutRequest& original) {
   PutRequest request = original;
   if (request.id.empty()) request.id = StemOf(request.file_name);
@@ -311,6 +310,7 @@ PutAnswer Knowledge::Put(const PutRequest& original) {
   if (!incoming.answer.warnings.empty()) incoming.details["warnings"] = incoming.answer.warnings;
   incoming.answer.document = Store(state_->store, incoming);
   ForgetKeptAside(state_->store, request.kind, request.id);
+  state_->changes.Notify();
   return incoming.answer;
 }
 
@@ -329,7 +329,7 @@ PutAnswer Knowledge::PutOntology(const PutRequest& request, const rdf::Graph& gr
     RefuseTrespasses(before->view, graph, authority::FindTrespasses(before->view, graph, owners),
                      {request.bytes, request.file_name});
   }
-  auto catalogue = MakeCatalogue(state_->own, stored, before->generation + 1);
+  auto catalogue = MakeCatalogue(state_->own, stored, before->generation + 1, before.get());
   Incoming incoming{request, request.file_name, {}, {}, catalogue->view, {}, json::object(), {}};
   incoming.answer.remarks = content.remarks;
   incoming.answer.statements = graph.triples.size();
@@ -348,12 +348,14 @@ PutAnswer Knowledge::PutOntology(const PutRequest& request, const rdf::Graph& gr
   state_->authority.Put(request.id, claim, incoming.answer.document.received, request.editor);
   state_->stored_graphs = std::move(next);
   state_->Publish(std::move(catalogue));
+  state_->changes.Notify();
   return incoming.answer;
 }
 
 void Knowledge::Remove(DocumentKind kind, const std::string& id) {
   if (kind != DocumentKind::kOntology) {
     state_->store.DeleteDocument(kind, id);
+    state_->changes.Notify();
     return;
   }
   const std::lock_guard lock(state_->ontology_mutex);
@@ -362,7 +364,9 @@ void Knowledge::Remove(DocumentKind kind, const std::string& id) {
   state_->authority.Remove(id);
   std::vector<rdf::Graph> stored;
   for (const auto& [other_id, graph] : state_->stored_graphs) stored.push_back(graph);
-  state_->Publish(MakeCatalogue(state_->own, stored, state_->catalogue()->generation + 1));
+  const auto before = state_->catalogue();
+  state_->Publish(MakeCatalogue(state_->own, stored, before->generation + 1, before.get()));
+  state_->changes.Notify();
 }
 
 PutAnswer Knowledge::Release(const std::string& quarantine_id, bool editor) {

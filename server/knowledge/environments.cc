@@ -55,18 +55,18 @@ Knowledge::VersionAnswer Knowledge::PutVersion(const store::NewVersion& original
     store::EnvironmentVersion draft;
     draft.environment = version.environment;
     draft.layers = {*layer};
-    answer.remarks =
-        ReadStored(state_->store, state_->aliases, EnvironmentGraphName(version.environment),
-                   layer->blob, layer->media_type, layer->file_name)
-            .remarks;
-    const rdf::View view = WithoutDerived(state_->ViewOf({nullptr, nullptr, &draft}));
+    const std::string name = EnvironmentGraphName(version.environment);
+    rdf::Document content = ReadStored(state_->store, state_->aliases, name, layer->blob,
+                                       layer->media_type, layer->file_name);
+    const rdf::Graph graph = rdf::MakeGraph(content, name, state_->aliases, *state_->dictionary);
+    answer.remarks = std::move(content.remarks);
+    const rdf::View view = WithoutDerived(state_->ViewOf({nullptr, nullptr, &draft}, &graph));
     answer.objects = semantic::ReadMapObjects(view);
     if (answer.objects.empty() && !DescribesPlace(view, *state_->catalogue())) {
       throw Error(Code::kInvalid, "is no semantic map: it describes no map, place or object",
                   {layer->file_name, 0, 0});
     }
     const auto base = state_->catalogue();
-    const rdf::Graph& graph = view.layers().back()->graphs().front();
     state_->CheckAuthority(*base, graph,
                            {state_->store.ReadBlob(layer->blob.sha256), layer->file_name});
     if (const auto found = state_->Convict(*base, view, graph)) {
@@ -84,6 +84,7 @@ Knowledge::VersionAnswer Knowledge::PutVersion(const store::NewVersion& original
     }
   }
   answer.version = state_->store.PutVersion(version);
+  state_->changes.Notify();
   return answer;
 }
 

@@ -77,6 +77,17 @@ TEST_F(EnvironmentsTest, TheSemanticLayerIsRenderedAsAccepted) {
   EXPECT_EQ(xml.body, "lab/1 as application/rdf+xml");
   EXPECT_EQ(xml.headers.Get("Content-Type"), "application/rdf+xml");
   EXPECT_NE(xml.headers.Get("ETag"), Get(path).headers.Get("ETag"));
+  EXPECT_EQ(Get(path, "Accept", "application/owl+xml").body, "lab/1 as application/owl+xml");
+  EXPECT_EQ(Get(path, "Accept", "text/owl-functional").headers.Get("Content-Disposition"),
+            "attachment; filename=\"semantic.ofn\"");
+  for (const auto& [type, extension] :
+       {std::pair("application/trig", ".trig"), std::pair("application/n-triples", ".nt"),
+        std::pair("application/n-quads", ".nq"), std::pair("application/ld+json", ".jsonld")}) {
+    const auto other = Get(path, "Accept", type);
+    EXPECT_EQ(other.body, std::string("lab/1 as ") + type);
+    EXPECT_EQ(other.headers.Get("Content-Type"), type);
+    EXPECT_NE(other.headers.Get("Content-Disposition").find(extension), std::string_view::npos);
+  }
   EXPECT_EQ(Get(path, "Accept", "image/png").status, 406);
 }
 

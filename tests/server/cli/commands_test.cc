@@ -42,6 +42,40 @@ TEST_F(CliTest, ARefusalNamesThePlaceAndTheWayOut) {
                                        "  exploration-recipe.owl:715:6: comment mended\n"));
 }
 
+TEST_F(CliTest, OntologiesAreConvertedAndMergedWithoutAServer) {
+  url_ = "http://127.0.0.1:1";
+  const auto first = Write("a.owl",
+                           "Prefix(:=<http://e/>)\nOntology(<http://e/o> Import(<http://e/q>)\n"
+                           "SubClassOf(:A :B))");
+  const auto second = Write("b.ttl",
+                            "@prefix : <http://e/> . :q a <http://www.w3.org/2002/07/owl#Ontology> "
+                            ". :B <http://www.w3.org/2000/01/rdf-schema#subClassOf> :C .");
+  const auto merged = (folder_ / "merged.owx").string();
+  const Outcome xml =
+      Lares({"ontology", "convert", first, second, "--to", "owl-xml", "-o", merged});
+  EXPECT_EQ(xml.code, 0) << xml.err;
+  EXPECT_EQ(Lares({"ontology", "convert", merged, "--to", "owl-functional"}).out,
+            "Prefix(:=<http://e/>)\n\nOntology(<http://e/o>\nSubClassOf(:A :B)\n"
+            "SubClassOf(:B :C)\n)\n");
+  EXPECT_EQ(Lares({"ontology", "convert", first, "--to", "manchester"}).code, 2);
+  EXPECT_EQ(Lares({"ontology", "convert", "absent.owl", "--to", "turtle"}).code, 2);
+}
+
+TEST_F(CliTest, TriplesOfNoAxiomAreRefusedOrLeftOutByName) {
+  const auto file =
+      Write("a.ttl",
+            "@prefix : <http://e/> . @prefix rdf: "
+            "<http://www.w3.org/1999/02/22-rdf-syntax-ns#> . :a rdf:value 1 ; a :A .");
+  const Outcome refused = Lares({"ontology", "convert", file, "--to", "owl-functional"});
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_THAT(refused.err, HasSubstr("lares: no axiom of OWL 2 says <http://e/a>"));
+  const Outcome told =
+      Lares({"ontology", "convert", file, "--to", "owl-functional", "--leave-out"});
+  EXPECT_EQ(told.code, 0);
+  EXPECT_THAT(told.out, HasSubstr("ClassAssertion(:A :a)"));
+  EXPECT_THAT(told.err, StartsWith("left out: <http://e/a> "));
+}
+
 TEST_F(CliTest, SeveralFilesGoOnAfterARefusal) {
   const auto bad = Write("bad.owl", "malformed");
   const auto good = Write("good.owl", "fine");
@@ -192,6 +226,7 @@ TEST_F(CliTest, EveryCommandHasHelpWithExamples) {
                                                        {"robot", "put"},
                                                        {"ontology", "put"},
                                                        {"ontology", "aliases"},
+                                                       {"ontology", "check"},
                                                        {"environment", "put"},
                                                        {"environment", "get"},
                                                        {"environment", "list"},
@@ -214,6 +249,29 @@ TEST_F(CliTest, EveryCommandHasHelpWithExamples) {
     EXPECT_THAT(help.out, HasSubstr("Examples:\n  lares ")) << name;
     EXPECT_THAT(help.err, IsEmpty()) << name;
   }
+}
+
+TEST_F(CliTest, CheckNamesEachFindingsPlaceAndEndsWithACodeOfItsOwn) {
+  const std::string good = Write("good.ttl", kTurtle).string();
+  const std::string bad = Write("bad.ttl", "bad").string();
+  const Outcome clean = Lares({"ontology", "check", good});
+  EXPECT_EQ(clean.code, 0) << clean.err;
+  EXPECT_THAT(clean.out, HasSubstr("good.ttl: 26 statements, OWL 2 RL, clean\n"));
+  const Outcome found = Lares({"ontology", "check", bad});
+  EXPECT_EQ(found.code, 9);
+  EXPECT_THAT(found.out, HasSubstr(bad + ":3:5: profile: owl:unionOf on the side of the superclass "
+                                         "(Cup, Mug; 7 places, also 9:1)\n"));
+  EXPECT_THAT(found.out, HasSubstr(bad + ":4:1: remark: punning (A)\n"));
+  EXPECT_THAT(found.out, HasSubstr("not OWL 2 RL\n"));
+  EXPECT_THAT(found.err, HasSubstr("bad.ttl is not clean"));
+  const Outcome both = Lares({"ontology", "check", good, bad});
+  EXPECT_EQ(both.code, 9);
+  EXPECT_THAT(both.err, HasSubstr("1 of 2 files are not clean"));
+  const Outcome json = Lares({"ontology", "check", "--json", bad});
+  EXPECT_EQ(json.code, 9);
+  EXPECT_EQ(nlohmann::json::parse(json.out)["findings"][0]["count"], 7);
+  EXPECT_EQ(Lares({"ontology", "check"}).code, 2);
+  EXPECT_EQ(Lares({"ontology", "check", (folder_ / "absent.ttl").string()}).code, 1);
 }
 
 TEST_F(CliTest, ServeRefusesToFaceTheNetwork) {
