@@ -5,10 +5,13 @@
 #include <memory>
 #include <string>
 
+#include "reasoner/prolog_worker/workers.h"
 #include "server/api/text_cache.h"
+#include "server/api/watch_hub.h"
 #include "server/http/metrics.h"
 #include "server/http/router.h"
 #include "server/knowledge/knowledge.h"
+#include "server/knowledge/snapshots.h"
 #include "server/store/store.h"
 
 namespace lares::api {
@@ -19,7 +22,10 @@ struct Context {
   server::Knowledge& knowledge;
   std::shared_ptr<http::Metrics> metrics = std::make_shared<http::Metrics>();
   std::shared_ptr<TextCache> listed = std::make_shared<TextCache>();  // documents in lists
-  std::string openapi;  // the document, made once all routes are known
+  std::shared_ptr<prolog::Workers> workers = std::make_shared<prolog::Workers>();  // for goals
+  std::shared_ptr<server::Snapshots> snapshots = std::make_shared<server::Snapshots>();
+  std::shared_ptr<WatchHub> watches;  // made with its routes
+  std::string openapi;                // the document, made once all routes are known
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
 };
 
@@ -35,6 +41,10 @@ void AddEnvironmentUploadRoute(http::Router& router, Context& context);
 void AddEnvironmentDownloadRoutes(http::Router& router, Context& context);
 void AddPlanRoutes(http::Router& router, Context& context);
 void AddLikelyPlaceRoutes(http::Router& router, Context& context);
+void AddPrologRoutes(http::Router& router, Context& context);
+void AddQuarantineRoutes(http::Router& router, Context& context);
+void AddSparqlRoutes(http::Router& router, Context& context);
+void AddWatchRoutes(http::Router& router, Context& context);
 void AddOperationRoutes(http::Router& router, Context& context);
 
 }  // namespace lares::api

@@ -24,13 +24,18 @@ void AddRecipe(CLI::App& app, const Options& options);
 void AddRobot(CLI::App& app, const Options& options);
 void AddOntology(CLI::App& app, const Options& options);
 void AddOntologyConvert(CLI::App& ontology);
+void AddOntologyCheck(CLI::App& ontology, const Options& options);
 void AddEnvironment(CLI::App& app, const Options& options);
 void AddEnvironmentPut(CLI::App& environment, const Options& options);
 void AddEnvironmentGet(CLI::App& environment, const Options& options);
 void AddObjectModel(CLI::App& app, const Options& options);
 void AddPlan(CLI::App& app, const Options& options);
 void AddPrior(CLI::App& app, const Options& options);
+void AddProlog(CLI::App& app, const Options& options);
+void AddQuarantine(CLI::App& app, const Options& options);
 void AddWhere(CLI::App& app, const Options& options);
+void AddSparql(CLI::App& app, const Options& options);
+void AddWatch(CLI::App& app, const Options& options);
 void AddStatus(CLI::App& app, const Options& options);
 
 // A subcommand with its examples below the help.

@@ -3,6 +3,8 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -42,6 +44,11 @@ class Connection {
   // early, so that it gets to read the answer; the connection is of no use afterwards.
   void Linger(std::uint64_t bytes);
 
+  // A token that is stopped when the peer goes away before the request is answered; `watch` of
+  // SetWatch gives it.
+  std::stop_token WatchPeer() const { return watch_ ? watch_() : std::stop_token(); }
+  void SetWatch(std::function<std::stop_token()> watch) { watch_ = std::move(watch); }
+
   void BeginRequest();
   bool has_input() const { return input_.size() > taken_; }
   bool stalled() const { return stalled_; }
@@ -57,6 +64,7 @@ class Connection {
   int fd_;
   std::string remote_;
   const ConnectionLimits& limits_;
+  std::function<std::stop_token()> watch_;
   std::chrono::milliseconds patience_;  // with a peer that sends nothing
   std::string input_;
   std::size_t taken_ = 0;    // of input_

@@ -13,6 +13,8 @@
 #include <condition_variable>
 #include <cstring>
 #include <mutex>
+#include <optional>
+#include <stop_token>
 #include <thread>
 #include <unordered_map>
 #include <vector>
@@ -28,9 +30,15 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t kListenerId = 0;
 constexpr std::uint64_t kStopId = 1;
 
-// A connection and who has it: nobody (parked, watched by epoll) or one thread (busy).
+constexpr std::uint32_t kPeerGone = EPOLLRDHUP | EPOLLHUP | EPOLLERR;
+
+// A connection and who has it: nobody (parked, watched by epoll), one thread (busy), or the channel
+// of an event stream.
 struct Slot {
-  std::unique_ptr<Connection> connection;
+  std::unique_ptr<Connection> connection;  // null once it is the channel's
+  std::shared_ptr<EventChannel> channel;
+  std::shared_ptr<void> place;           // of an event stream
+  std::optional<std::stop_source> gone;  // of a busy connection whose peer is watched
   bool busy = false;
   bool header_begun = false;
   Clock::time_point parked_at{};
@@ -78,8 +86,11 @@ struct ConnectionLoop::State {
   void Work();
   void Accept();
   void Adopt(int fd, const sockaddr_storage& address);
-  void Handle(std::uint64_t id);
-  bool ServeWhatArrived(Connection& connection, bool& header_begun);
+  void Handle(std::uint64_t id, std::uint32_t events);
+  void HandleChannel(std::uint64_t id, EventChannel& channel, std::uint32_t events);
+  Served ServeWhatArrived(Connection& connection, bool& header_begun);
+  std::stop_token WatchPeer(std::uint64_t id);
+  void HandOver(std::uint64_t id, Served served);
   void Park(std::uint64_t id, bool header_begun);
   void Close(std::uint64_t id);
   void CloseIdlest();
@@ -124,14 +135,19 @@ bool ConnectionLoop::Stop(std::chrono::milliseconds grace) {
   State& state = *state_;
   state.stopping = true;
   bool clean = true;
+  std::vector<std::stop_source> given_up;
   {
     std::unique_lock lock(state.mutex);
     ::shutdown(state.listener, SHUT_RDWR);  // from now on the kernel refuses
     state.CloseParked();
     clean = state.changed.wait_for(lock, grace, [&state] { return state.busy == 0; });
-    for (auto& [id, slot] : state.slots) ::shutdown(slot.connection->fd(), SHUT_RDWR);
+    for (auto& [id, slot] : state.slots) {
+      if (slot.connection != nullptr) ::shutdown(slot.connection->fd(), SHUT_RDWR);
+      if (slot.gone) given_up.push_back(*slot.gone);
+    }
     state.ending = true;
   }
+  for (std::stop_source& gone : given_up) gone.request_stop();
   state.changed.notify_all();
   const std::uint64_t one = 1;
   if (::write(state.stop_event, &one, sizeof one) < 0) clean = false;
@@ -152,7 +168,7 @@ void ConnectionLoop::State::Work() {
       if (event.data.u64 == kListenerId) {
         Accept();
       } else {
-        Handle(event.data.u64);
+        Handle(event.data.u64, event.events);
       }
     } catch (const std::exception& error) {
       Log(LogLevel::kError, "a connection failed", {{"error", std::string(error.what())}});
@@ -191,47 +207,121 @@ void ConnectionLoop::State::Adopt(int fd, const sockaddr_storage& address) {
   if (stopping) return;
   if (slots.size() >= options.max_connections) CloseIdlest();
   const std::uint64_t id = next_id++;
+  slot.connection->SetWatch([this, id] { return WatchPeer(id); });
   slots.emplace(id, std::move(slot));
   Watch(EPOLL_CTL_ADD, fd, id, EPOLLIN | EPOLLRDHUP | EPOLLONESHOT);
 }
 
-void ConnectionLoop::State::Handle(std::uint64_t id) {
+void ConnectionLoop::State::Handle(std::uint64_t id, std::uint32_t events) {
   Connection* connection = nullptr;
+  std::shared_ptr<EventChannel> channel;
+  std::optional<std::stop_source> gone;
   bool header_begun = false;
   {
     const std::lock_guard lock(mutex);
     const auto found = slots.find(id);
-    if (found == slots.end() || found->second.busy) return;  // closed meanwhile
-    found->second.busy = true;
-    ++busy;
-    connection = found->second.connection.get();
-    header_begun = found->second.header_begun;
+    if (found == slots.end()) return;  // closed meanwhile
+    Slot& slot = found->second;
+    if (slot.busy) {
+      gone = slot.gone;
+    } else if (slot.channel != nullptr) {
+      channel = slot.channel;
+    } else {
+      slot.busy = true;
+      ++busy;
+      connection = slot.connection.get();
+      header_begun = slot.header_begun;
+    }
   }
-  if (ServeWhatArrived(*connection, header_begun)) {
+  if (channel != nullptr) return HandleChannel(id, *channel, events);
+  if (connection == nullptr) {
+    if (gone && (events & kPeerGone) != 0) gone->request_stop();
+    return;
+  }
+  Served served = ServeWhatArrived(*connection, header_begun);
+  if (served.subscribe) {
+    HandOver(id, std::move(served));
+  } else if (served.keep) {
     Park(id, header_begun);
   } else {
     Close(id);
   }
 }
 
-// True when the connection waits for more.
-bool ConnectionLoop::State::ServeWhatArrived(Connection& connection, bool& header_begun) {
+void ConnectionLoop::State::HandleChannel(std::uint64_t id, EventChannel& channel,
+                                          std::uint32_t events) {
+  if ((events & kPeerGone) != 0) {
+    channel.MarkGone();
+  } else {
+    channel.Pump();
+  }
+  if (channel.gone()) Close(id);
+}
+
+std::stop_token ConnectionLoop::State::WatchPeer(std::uint64_t id) {
+  const std::lock_guard lock(mutex);
+  Slot& slot = slots.at(id);
+  if (!slot.gone) {
+    slot.gone.emplace();
+    Watch(EPOLL_CTL_MOD, slot.connection->fd(), id, EPOLLRDHUP | EPOLLONESHOT);
+  }
+  return slot.gone->get_token();
+}
+
+// The connection becomes an event stream, and the thread is free.
+void ConnectionLoop::State::HandOver(std::uint64_t id, Served served) {
+  std::shared_ptr<EventChannel> channel;
+  {
+    const std::lock_guard lock(mutex);
+    Slot& slot = slots.at(id);
+    const int fd = slot.connection->fd();
+    channel = std::make_shared<EventChannel>(
+        std::move(slot.connection), served.chunked, options.channels,
+        [this, fd, id](bool waits_for_room) {
+          const std::uint32_t room = waits_for_room ? std::uint32_t{EPOLLOUT} : 0;
+          Watch(EPOLL_CTL_MOD, fd, id, EPOLLRDHUP | EPOLLONESHOT | room);
+        });
+    slot.channel = channel;
+    slot.place = std::move(served.place);
+    slot.gone.reset();
+    slot.busy = false;
+    --busy;
+    changed.notify_all();
+    if (stopping) {
+      channel->End();
+      slots.erase(id);
+      return;
+    }
+  }
+  try {
+    served.subscribe(channel);
+  } catch (...) {
+    channel->MarkGone();
+    throw;  // Work() closes it
+  }
+}
+
+// Kept when the connection waits for more.
+Served ConnectionLoop::State::ServeWhatArrived(Connection& connection, bool& header_begun) {
   while (true) {
     switch (connection.Fill()) {
       case Connection::Arrived::kClosed:
-        return false;
+        return {};
       case Connection::Arrived::kTooLarge:
         connection.BeginRequest();
         connection.Write(handlers.refusal("headers-too-large"));
         connection.Linger(1u << 20);
-        return false;
+        return {};
       case Connection::Arrived::kPart:
         header_begun = connection.has_input();
-        return !stopping;
-      case Connection::Arrived::kHeader:
+        return {!stopping, {}, false, {}};
+      case Connection::Arrived::kHeader: {
         header_begun = false;
         connection.BeginRequest();
-        if (!handlers.serve(connection, stopping) || !connection.Flush() || stopping) return false;
+        Served served = handlers.serve(connection, stopping);
+        if (served.subscribe) return served;
+        if (!served.keep || !connection.Flush() || stopping) return {};
+      }
     }
   }
 }
@@ -241,6 +331,7 @@ void ConnectionLoop::State::Park(std::uint64_t id, bool header_begun) {
   const auto found = slots.find(id);
   if (found == slots.end()) return;
   Slot& slot = found->second;
+  slot.gone.reset();
   if (stopping) {
     slots.erase(found);
     --busy;
@@ -273,7 +364,7 @@ void ConnectionLoop::State::Close(std::uint64_t id) {
 void ConnectionLoop::State::CloseIdlest() {
   auto idlest = slots.end();
   for (auto slot = slots.begin(); slot != slots.end(); ++slot) {
-    if (slot->second.busy) continue;
+    if (slot->second.busy || slot->second.channel != nullptr) continue;
     if (idlest == slots.end() || slot->second.parked_at < idlest->second.parked_at) idlest = slot;
   }
   if (idlest != slots.end()) slots.erase(idlest);
@@ -282,6 +373,10 @@ void ConnectionLoop::State::CloseIdlest() {
 void ConnectionLoop::State::CloseExpired() {
   const Clock::time_point now = Clock::now();
   for (auto slot = slots.begin(); slot != slots.end();) {
+    if (EventChannel* channel = slot->second.channel.get()) {
+      slot = channel->Tick(now) ? std::next(slot) : slots.erase(slot);
+      continue;
+    }
     if (slot->second.busy || slot->second.deadline > now) {
       ++slot;
       continue;
@@ -292,6 +387,9 @@ void ConnectionLoop::State::CloseExpired() {
 }
 
 void ConnectionLoop::State::CloseParked() {
+  for (auto& [id, slot] : slots) {
+    if (slot.channel != nullptr) slot.channel->End();
+  }
   std::erase_if(slots, [](const auto& entry) { return !entry.second.busy; });
 }
 

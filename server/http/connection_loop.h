@@ -1,4 +1,5 @@
-// Many connections, few threads: a connection holds a thread only while a whole request is there.
+// Many connections, few threads: a connection holds a thread only while a whole request is there,
+// and none while it waits for events.
 #pragma once
 
 #include <chrono>
@@ -7,19 +8,31 @@
 #include <string>
 
 #include "server/http/connection.h"
+#include "server/http/event_channel.h"
 
 namespace lares::http {
 
 struct LoopOptions {
   int threads = 64;                    // at most half of them in long transfers
   std::size_t max_connections = 1024;  // beyond it the one idle for longest is closed
+  int max_event_streams = 256;         // at most half of the connections
   ConnectionLimits limits;
+  ChannelLimits channels;  // of event streams
+};
+
+// What becomes of a connection once its request is answered.
+struct Served {
+  bool keep = false;  // it may serve more
+  // An event stream: gets the channel that the connection becomes.
+  std::function<void(std::shared_ptr<EventChannel>)> subscribe;
+  bool chunked = false;         // the stream's body
+  std::shared_ptr<void> place;  // dropped when the stream ends
 };
 
 struct LoopHandlers {
-  // Answers the one request whose header has arrived; true: the connection may serve more.
-  // `closing`: it is the last one of this connection.
-  std::function<bool(Connection&, bool closing)> serve;
+  // Answers the one request whose header has arrived. `closing`: it is the last one of this
+  // connection.
+  std::function<Served(Connection&, bool closing)> serve;
   // The bytes to send for a problem kind of the protocol ("headers-too-large",
   // "request-timeout") before the connection is closed.
   std::function<std::string(const std::string& problem_code)> refusal;
@@ -32,8 +45,8 @@ class ConnectionLoop {
   ConnectionLoop(int listener, const LoopOptions& options, LoopHandlers handlers);
   ~ConnectionLoop();  // stops at once
 
-  // Refuses new connections, closes idle ones, and waits for running requests up to `grace`; what
-  // is left is cut off. True when nothing had to be. Called once.
+  // Refuses new connections, closes idle ones, ends event streams, and waits for running requests
+  // up to `grace`; what is left is cut off. True when nothing had to be. Called once.
   bool Stop(std::chrono::milliseconds grace);
   bool stopping() const;
 

@@ -1,4 +1,5 @@
-// Transfers that may hold a thread for long, and how many of them there may be.
+// Transfers that last long (holding a thread, or a place as an event stream), and how many of them
+// there may be.
 #pragma once
 
 #include <atomic>
@@ -17,6 +18,8 @@ class LongTransfers {
     return false;
   }
   void End() { running_.fetch_sub(1); }
+  int max() const { return max_; }
+  int running() const { return running_; }
 
  private:
   const int max_;

@@ -80,7 +80,24 @@ std::string ReadWholeBody(const Request& request, std::uint64_t max_bytes) {
 std::uint64_t BodyLength(const Response& response) {
   if (const auto* text = std::get_if<std::string>(&response.body)) return text->size();
   if (const auto* file = std::get_if<FileBody>(&response.body)) return file->length;
-  return std::get<StreamBody>(response.body).length;
+  if (const auto* stream = std::get_if<StreamBody>(&response.body)) return stream->length;
+  return 0;
+}
+
+std::string ProduceWhole(const Response& response) {
+  class TextSink : public OpenSink {
+   public:
+    void Write(std::string_view bytes) override { text += bytes; }
+    void Flush() override {}
+    std::stop_token gone() override { return {}; }
+    std::string text;
+  };
+  if (const auto* text = std::get_if<std::string>(&response.body)) return *text;
+  const auto* open = std::get_if<OpenBody>(&response.body);
+  if (open == nullptr) throw Error(Code::kInternal, "the body is no text");
+  TextSink sink;
+  open->produce(sink);
+  return sink.text;
 }
 
 }  // namespace lares::http

@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -50,6 +52,13 @@ struct Request {
   std::optional<std::uint64_t> content_length;  // as announced; nothing for chunked bodies
   bool has_body = false;
 
+  // A token that is stopped when the client goes away (or ends its side of the connection) while
+  // the request is answered, and when the server gives up waiting at its end. The connection is
+  // watched from the first call on. Empty where there is no connection.
+  std::function<std::stop_token()> watch_client;
+  // The same; a token that never stops where there is no connection.
+  std::stop_token WatchClient() const { return watch_client ? watch_client() : std::stop_token(); }
+
   // The parameter's value; nothing when absent.
   std::optional<std::string> Query(const std::string& name) const;
   const std::string& Param(const std::string& name) const;  // kInternal when the route has none
@@ -69,15 +78,51 @@ struct StreamBody {
   std::function<void(const Sink&)> produce;
 };
 
+// What an OpenBody is written to. Used by one thread.
+class OpenSink {
+ public:
+  virtual ~OpenSink() = default;
+  // Buffers up to 32 KiB; beyond it, or 100 ms after the beginning or what was sent last, sends
+  // and waits for a client that reads slowly (not longer than ConnectionLimits allow). Throws kIo
+  // once the client has gone.
+  virtual void Write(std::string_view bytes) = 0;
+  // Sends what is buffered: before a pause, so that the client has it.
+  virtual void Flush() = 0;
+  // Stopped when the client goes away; for what runs long between two writes.
+  virtual std::stop_token gone() = 0;
+};
+
+// Made while it is sent, of a length that nobody knows beforehand: chunked in HTTP/1.1, ended by
+// the connection's end in 1.0. What is over before anything was sent becomes an ordinary answer
+// with a length, and what `produce` throws before that a problem document of its own; thrown later
+// it cuts the answer off, so that the client sees that it is not whole. Counts as a long transfer:
+// it holds a thread, and is refused with 503 when too many are.
+struct OpenBody {
+  std::function<void(OpenSink&)> produce;
+};
+
+class EventChannel;
+
+// A text/event-stream without an end. Once the head is sent, `subscribe` gets the channel, and the
+// thread goes on to other requests; it must not wait. Their number is limited: 503 beyond.
+struct EventsBody {
+  std::function<void(std::shared_ptr<EventChannel>)> subscribe;
+};
+
 struct Response {
   int status = 200;
   Headers headers;
-  std::variant<std::string, FileBody, StreamBody> body;
+  std::variant<std::string, FileBody, StreamBody, OpenBody, EventsBody> body;
 };
 
 // The whole body in memory. Throws kTooLarge beyond `max_bytes`.
 std::string ReadWholeBody(const Request& request, std::uint64_t max_bytes);
 
+// 0 for a length that is not known.
 std::uint64_t BodyLength(const Response& response);
+
+// What an OpenBody produces, or the other bodies' text, in memory: for tests. Throws kInternal for
+// the other kinds.
+std::string ProduceWhole(const Response& response);
 
 }  // namespace lares::http

@@ -14,6 +14,7 @@
 #include "server/http/listen.h"
 #include "server/http/log.h"
 #include "server/http/long_transfers.h"
+#include "server/http/open_sink.h"
 #include "server/http/problem.h"
 #include "server/http/url.h"
 
@@ -36,6 +37,7 @@ constexpr std::uint64_t kShortAnswer = 1024 * 1024;
 struct Exchange {
   Connection& connection;
   LongTransfers& long_transfers;
+  LongTransfers& event_streams;
   Request request;
   Service::Admission admission;
   bool admitted = false;
@@ -44,11 +46,17 @@ struct Exchange {
   bool keep_open = true;
   bool is_long = false;  // counted in `long_transfers`
   bool has_ranges = false;
+  bool is_http_1_0 = false;
+  bool is_last = false;        // of its connection, as httplib sees it
+  bool has_no_length = false;  // which httplib does not know of
+  bool is_sent = false;        // by us, head and all: httplib's own answer goes nowhere
   int status = 0;
   std::uint64_t body_bytes = 0;
+  std::optional<EventsBody> events;
+  std::shared_ptr<void> place;  // among the event streams
 
-  Exchange(Connection& from, LongTransfers& transfers)
-      : connection(from), long_transfers(transfers) {}
+  Exchange(Connection& from, LongTransfers& transfers, LongTransfers& streams)
+      : connection(from), long_transfers(transfers), event_streams(streams) {}
   ~Exchange() {
     if (is_long) long_transfers.End();
   }
@@ -56,6 +64,11 @@ struct Exchange {
   Exchange& operator=(const Exchange&) = delete;
 
   bool BeginLongTransfer() { return is_long = is_long || long_transfers.TryBegin(); }
+  bool BeginEventStream() {
+    if (!event_streams.TryBegin()) return false;
+    place = std::shared_ptr<void>(nullptr, [&streams = event_streams](void*) { streams.End(); });
+    return true;
+  }
 };
 thread_local Exchange* current = nullptr;
 
@@ -67,7 +80,7 @@ std::string WithoutAdditions(std::string_view head, const Exchange& exchange) {
       kept.erase(at + 2, line.size() - 2);
     }
   };
-  if (exchange.status == 304) drop("\r\nContent-Length: 0\r\n");
+  if (exchange.status == 304 || exchange.has_no_length) drop("\r\nContent-Length: 0\r\n");
   if (!exchange.has_ranges) drop("\r\nAccept-Ranges: bytes\r\n");
   return kept;
 }
@@ -93,6 +106,7 @@ class ConnectionStream : public httplib::Stream {
     return got;
   }
   ssize_t write(const char* bytes, size_t size) override {
+    if (current->is_sent) return static_cast<ssize_t>(size);
     if (head_written_ || current->status == 0) return Send({bytes, size}, size);
     head_written_ = true;
     return Send(WithoutAdditions({bytes, size}, *current), size);
@@ -170,6 +184,11 @@ ProblemError TooManyTransfers() {
 void AdmitRequest(const Service& service, httplib::Request& from) {
   Exchange& exchange = *current;
   exchange.request = ToRequest(from);
+  exchange.request.watch_client = [&connection = exchange.connection] {
+    return connection.WatchPeer();
+  };
+  exchange.is_http_1_0 = from.version == "HTTP/1.0";
+  exchange.is_last = exchange.is_last || from.get_header_value("Connection") == "close";
   exchange.chunked = exchange.request.has_body && !exchange.request.content_length;
   try {
     CheckHeader(from, exchange.request);
@@ -207,11 +226,77 @@ void SendFile(const FileBody& file, httplib::DataSink& sink) {
   }
 }
 
+// Refuses what would hold more threads or places than there are for its kind.
+void LimitTransfers(Exchange& exchange, Response& response) {
+  if (exchange.request.method == "HEAD") return;
+  const bool is_long =
+      BodyLength(response) > kShortAnswer || std::holds_alternative<OpenBody>(response.body);
+  if (is_long && !exchange.BeginLongTransfer()) {
+    response = Service::Refuse(TooManyTransfers(), exchange.request);
+  }
+  if (std::holds_alternative<EventsBody>(response.body) && !exchange.BeginEventStream()) {
+    response = Service::Refuse(
+        ProblemError("unavailable", "every place for an event stream is taken: " +
+                                        std::to_string(exchange.event_streams.max()) +
+                                        " clients are being told of events")
+            .WithHeader("Retry-After", "5"),
+        exchange.request);
+  }
+}
+
+// The head of an answer whose length is not known.
+std::string OpenHead(const Response& response, const Exchange& exchange) {
+  std::string head = "HTTP/1.1 " + std::to_string(response.status) +
+                     (response.status == 200 ? " OK\r\n" : " \r\n");
+  for (const auto& [name, value] : response.headers.all()) {
+    head += name + ": " + value + "\r\n";
+  }
+  if (!exchange.is_http_1_0) head += "Transfer-Encoding: chunked\r\n";
+  if (!exchange.keep_open || exchange.is_last) head += "Connection: close\r\n";
+  return head + "\r\n";
+}
+
+// Too late for a problem document.
+void CutShort(Exchange& exchange, const std::exception& error) {
+  exchange.keep_open = false;
+  Log(LogLevel::kWarning, "a response was cut short",
+      {{"request_id", exchange.request.id}, {"error", std::string(error.what())}});
+}
+
+// Runs an open body; what is left for httplib to send: the short answer, a problem, or nothing.
+Response RunOpenBody(Response response, Exchange& exchange) {
+  const OpenBody body = std::move(std::get<OpenBody>(response.body));
+  BufferedSink sink(
+      exchange.connection, [&] { return OpenHead(response, exchange); }, !exchange.is_http_1_0);
+  exchange.keep_open = exchange.keep_open && !exchange.is_http_1_0;
+  try {
+    body.produce(sink);
+    if (sink.begun()) sink.End();
+  } catch (const std::exception& error) {
+    if (!sink.begun()) return Service::Refuse(error, exchange.request);
+    CutShort(exchange, error);
+    sink.TryFlush();  // what came before is the client's too
+  }
+  if (!sink.begun()) {
+    response.body = sink.TakeBuffered();
+    return response;
+  }
+  exchange.is_sent = true;
+  exchange.status = response.status;
+  exchange.body_bytes = sink.bytes();
+  return response;
+}
+
 void GiveResponse(Response response, httplib::Response& to) {
   Exchange& exchange = *current;
-  if (exchange.request.method != "HEAD" && BodyLength(response) > kShortAnswer &&
-      !exchange.BeginLongTransfer()) {
-    response = Service::Refuse(TooManyTransfers(), exchange.request.id);
+  LimitTransfers(exchange, response);
+  if (exchange.request.has_body && !exchange.body_read) exchange.keep_open = false;
+  if (std::holds_alternative<OpenBody>(response.body) && exchange.request.method != "HEAD") {
+    response = RunOpenBody(std::move(response), exchange);
+    if (exchange.is_sent) {
+      to.status = response.status;
+      return;
+    }
   }
   exchange.has_ranges = response.headers.Get("Accept-Ranges") == "bytes";
   exchange.status = to.status = response.status;
@@ -221,12 +306,19 @@ void GiveResponse(Response response, httplib::Response& to) {
   for (const auto& [name, value] : response.headers.all()) {
     if (ToLower(name) != "content-length") to.headers.emplace(name, value);
   }
-  if (exchange.request.has_body && !exchange.body_read) {
-    exchange.keep_open = false;
-    to.set_header("Connection", "close");
-  }
+  if (!exchange.keep_open) to.set_header("Connection", "close");
   if (auto* text = std::get_if<std::string>(&response.body)) {
     to.body = std::move(*text);
+    return;
+  }
+  auto* events = std::get_if<EventsBody>(&response.body);
+  if (events != nullptr || std::holds_alternative<OpenBody>(response.body)) {
+    exchange.has_no_length = true;
+    if (!exchange.is_http_1_0) to.set_header("Transfer-Encoding", "chunked");
+    if (events == nullptr || exchange.request.method == "HEAD") return;
+    if (exchange.keep_open && !exchange.is_last) to.set_header("Connection", "close");
+    exchange.keep_open = false;
+    exchange.events = std::move(*events);
     return;
   }
   const std::uint64_t length = BodyLength(response);
@@ -304,6 +396,7 @@ class Engine : public httplib::Server {
   ~Engine() override { svr_sock_ = INVALID_SOCKET; }
 
   bool Process(Connection& connection, std::size_t header_bytes, bool close) {
+    current->is_last = close;
     ConnectionStream stream(connection, header_bytes);
     bool closed = false;
     const bool fine = process_request(stream, close, closed, [this](httplib::Request& request) {
@@ -379,16 +472,17 @@ struct Server::State {
   int port = 0;
   std::unique_ptr<Engine> engine;
   std::unique_ptr<LongTransfers> long_transfers;
+  std::unique_ptr<LongTransfers> event_streams;
   std::unique_ptr<ConnectionLoop> loop;
 
-  bool Serve(Connection& connection, bool closing) const;
+  Served Serve(Connection& connection, bool closing) const;
   void Record(const Exchange& exchange, Clock::duration duration) const;
 };
 
-bool Server::State::Serve(Connection& connection, bool closing) const {
+Served Server::State::Serve(Connection& connection, bool closing) const {
   const Clock::time_point start = Clock::now();
   std::string header = connection.TakeHeader();
-  Exchange exchange(connection, *long_transfers);
+  Exchange exchange(connection, *long_transfers, *event_streams);
   try {
     CheckRawHeader(header);
   } catch (const ProblemError& error) {
@@ -396,7 +490,7 @@ bool Server::State::Serve(Connection& connection, bool closing) const {
     exchange.status = FindProblemKind(error.problem_code()).status;
     connection.Linger(kShortBody);
     Record(exchange, Clock::now() - start);
-    return false;
+    return {};
   }
   header = MarkRange(std::move(header));
   const std::size_t header_bytes = header.size();
@@ -406,19 +500,21 @@ bool Server::State::Serve(Connection& connection, bool closing) const {
   try {
     open = engine->Process(connection, header_bytes, closing);
   } catch (const std::exception& error) {
-    // While the content was being sent: too late for a problem document.
-    Log(LogLevel::kWarning, "a response was cut short",
-        {{"request_id", exchange.request.id}, {"error", std::string(error.what())}});
+    CutShort(exchange, error);
   }
   current = nullptr;
   const bool flushed = connection.Flush();
   Record(exchange, Clock::now() - start);
-  if (!flushed) return false;
+  if (!flushed) return {};
   if (exchange.request.has_body && !exchange.body_read) {
     connection.Linger(exchange.request.content_length.value_or(UINT64_MAX));
-    return false;
+    return {};
   }
-  return open && exchange.keep_open;
+  if (exchange.events) {
+    return {false, std::move(exchange.events->subscribe), !exchange.is_http_1_0,
+            std::move(exchange.place)};
+  }
+  return {open && exchange.keep_open, {}, false, {}};
 }
 
 void Server::State::Record(const Exchange& exchange, Clock::duration duration) const {
@@ -447,6 +543,10 @@ Server::Server(std::shared_ptr<const Service> service, const ServerOptions& opti
   state.options = options;
   state.engine = std::make_unique<Engine>(*state.service);
   state.long_transfers = std::make_unique<LongTransfers>(std::max(1, options.loop.threads / 2));
+  const int half_of_connections =
+      static_cast<int>(std::min<std::size_t>(options.loop.max_connections / 2, INT32_MAX));
+  state.event_streams = std::make_unique<LongTransfers>(
+      std::max(1, std::min(options.loop.max_event_streams, half_of_connections)));
   const Listener listener = ListenOnLoopback(options.host, options.port);
   state.port = listener.port;
   state.loop =

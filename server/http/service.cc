@@ -119,6 +119,12 @@ Response Service::Refuse(const std::exception& error, const std::string& request
   return ToProblem(Error(Code::kInternal, error.what()), request_id);
 }
 
+Response Service::Refuse(const std::exception& error, const Request& request) {
+  Response response = Refuse(error, request.id);
+  Finish(request, response);
+  return response;
+}
+
 Service::Admission Service::Admit(Request& request) const {
   Admission admission;
   request.id = RequestId(request.headers.Get("X-Request-Id"));
@@ -138,8 +144,7 @@ Service::Admission Service::Admit(Request& request) const {
     request.params = std::move(match.params);
     CheckBody(*match.route, request);
   } catch (const std::exception& error) {
-    admission.refusal = Refuse(error, request.id);
-    Finish(request, *admission.refusal);
+    admission.refusal = Refuse(error, request);
   }
   return admission;
 }

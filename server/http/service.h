@@ -33,6 +33,8 @@ class Service {
 
   // A fault that was found before there was a request to route.
   static Response Refuse(const std::exception& error, const std::string& request_id);
+  // A fault that was found after Run, with the headers that every answer has.
+  static Response Refuse(const std::exception& error, const Request& request);
 
   const Router& router() const { return router_; }
   Metrics& metrics() const { return *metrics_; }

@@ -1,12 +1,14 @@
 #include "server/knowledge/knowledge.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "base/file.h"
 #include "base/search_path.h"
 #include "ontology/rdf/reader.h"
 #include "reasoner/owl/materialise.h"
+#include "server/knowledge/derived.h"
 #include "server/knowledge/state.h"
 
 namespace lares::server {
@@ -60,6 +62,7 @@ Knowledge::Knowledge(store::Store& store, prolog::EnginePool& engines)
   state_->aliases = rdf::AliasTable::FromTsv(ReadFile(aliases), aliases.filename().string());
   state_->own =
       CloseOwnModules(state_->dictionary, LoadOwnModules(state_->aliases, *state_->dictionary));
+  state_->authority.SetOwn(state_->own);
   std::vector<rdf::Graph> stored;
   for (const store::DocumentInfo& document : store.ListDocuments(store::DocumentKind::kOntology)) {
     const std::string name = GraphName(document.kind, document.id);
@@ -68,50 +71,75 @@ Knowledge::Knowledge(store::Store& store, prolog::EnginePool& engines)
                                                document.media_type, document.file_name);
       stored.push_back(rdf::MakeGraph(content, name, state_->aliases, *state_->dictionary));
       state_->stored_graphs[document.id] = stored.back();
+      state_->authority.Put(
+          document.id,
+          authority::MakeClaim(content, stored.back(), state_->aliases, *state_->dictionary),
+          store.DocumentLog(document.kind, document.id).back().received,
+          nlohmann::json::parse(document.details_json).value("editor", false));
     } catch (const Error& error) {
       // One document that cannot be read any more must not keep all others from being served.
       state_->set_aside.push_back({document.id, "set aside: " + error.FullMessage(), 0});
     }
   }
-  state_->Publish(MakeCatalogue(state_->own, stored, 1));
+  state_->Publish(MakeCatalogue(state_->own, stored, 1, nullptr));
 }
 
 Knowledge::~Knowledge() = default;
 
-rdf::View Knowledge::State::Over(const rdf::View& below, const std::string& key,
-                                 const std::string& graph_name,
-                                 const store::DocumentInfo& document) {
-  return views.GetOrMake(key, [&] {
-    const rdf::Document content = ReadStored(store, aliases, graph_name, document.blob,
-                                             document.media_type, document.file_name);
-    return below.With(
-        owl::Materialise(below, {rdf::MakeGraph(content, graph_name, aliases, *dictionary)}));
-  });
+OverlaySource Knowledge::State::SourceOf(const std::string& graph_name,
+                                         const store::DocumentInfo& document) {
+  return {graph_name + "@" + document.blob.sha256, [this, graph_name, document] {
+            const rdf::Document content = ReadStored(store, aliases, graph_name, document.blob,
+                                                     document.media_type, document.file_name);
+            return rdf::MakeGraph(content, graph_name, aliases, *dictionary);
+          }};
 }
 
-rdf::View Knowledge::State::ViewOf(const Stack& stack) {
+void Knowledge::State::CheckAuthority(const CatalogueState& base, const rdf::Graph& graph,
+                                      const Sent& sent, const authority::JudgeOptions& options) {
+  RefuseTrespasses(base.view, graph,
+                   authority::FindTrespasses(base.view, graph, *authority.owners(), options), sent);
+}
+
+std::optional<Contradiction> Knowledge::State::Convict(const CatalogueState& base,
+                                                       const rdf::View& view,
+                                                       const rdf::Graph& graph) {
+  if (!FindContradiction(view)) return std::nullopt;
+  std::vector<FirmCatalogue::Stored> stored;
+  const auto& layers = base.view.layers();
+  for (std::size_t i = own.layers().size(); i < layers.size(); ++i) {
+    for (const rdf::Graph& other : layers[i]->graphs()) {
+      stored.push_back({&other, authority.IsByEditor(other.name)});
+    }
+  }
+  const rdf::View below = firm.For(base.generation, own, *authority.own(), stored);
+  return FindContradiction(below.With(owl::Materialise(below, {graph})));
+}
+
+rdf::View Knowledge::State::ViewOf(const Stack& stack, const rdf::Graph* environment_graph) {
   const std::shared_ptr<const CatalogueState> base = catalogue();
-  rdf::View view = base->view;
-  std::string key = std::to_string(base->generation);
+  std::vector<OverlaySource> sources;
   // The robot is the largest and changes least, so it lies below what is asked about it.
   for (const store::DocumentInfo* document : {stack.robot, stack.recipe}) {
     if (document == nullptr) continue;
-    const std::string name = GraphName(document->kind, document->id);
-    key += "|" + name + "@" + document->blob.sha256;
-    view = Over(view, key, name, *document);
+    sources.push_back(SourceOf(GraphName(document->kind, document->id), *document));
   }
-  if (stack.environment == nullptr) return view;
-  for (const store::LayerInfo& layer : stack.environment->layers) {
-    if (layer.name != "semantic") continue;
-    store::DocumentInfo document;
-    document.blob = layer.blob;
-    document.media_type = layer.media_type;
-    document.file_name = layer.file_name;
-    const std::string name = EnvironmentGraphName(stack.environment->environment);
-    key += "|" + name + "@" + layer.blob.sha256;
-    view = Over(view, key, name, document);
+  if (stack.environment != nullptr) {
+    for (const store::LayerInfo& layer : stack.environment->layers) {
+      if (layer.name != "semantic") continue;
+      store::DocumentInfo document;
+      document.blob = layer.blob;
+      document.media_type = layer.media_type;
+      document.file_name = layer.file_name;
+      OverlaySource source =
+          SourceOf(EnvironmentGraphName(stack.environment->environment), document);
+      source.complete = [](const rdf::View& map) {
+        return WithDerived(map, SpatialRelationsOf(map));
+      };
+      sources.push_back(std::move(source));
+    }
   }
-  return view;
+  return overlays.Get({base->view, base->generation}, sources, environment_graph).view;
 }
 
 const rdf::AliasTable& Knowledge::aliases() const { return state_->aliases; }
@@ -122,13 +150,17 @@ std::vector<Knowledge::Module> Knowledge::Modules() const {
   return modules;
 }
 
+void Knowledge::WaitForOverlays() { state_->overlays.Wait(); }
+
 rdf::View Knowledge::Catalogue() const { return state_->catalogue()->view; }
+
+Changes& Knowledge::changes() { return state_->changes; }
 
 Knowledge::Counts Knowledge::counts() const {
   const auto catalogue = state_->catalogue();
   Counts counts;
   counts.terms = state_->dictionary->size();
-  counts.views_cached = state_->views.size();
+  counts.views_cached = state_->overlays.size();
   counts.inferred = catalogue->inferred;
   for (const auto& layer : catalogue->view.layers()) {
     counts.asserted += layer->asserted_size();

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "ontology/rdf/reader.h"
+#include "server/knowledge/authority.h"
 #include "server/knowledge/catalogue.h"
-#include "server/knowledge/view_cache.h"
+#include "server/knowledge/consistency.h"
+#include "server/knowledge/overlays.h"
 
 namespace lares::server {
 
@@ -38,7 +40,10 @@ struct Knowledge::State {
   mutable std::shared_mutex catalogue_mutex;        // guards the pointer only
   std::shared_ptr<const CatalogueState> catalogue_now;
 
-  ViewCache views{64};
+  Changes changes;
+  Authority authority;
+  FirmCatalogue firm;
+
   std::mutex priors_mutex;
   std::map<std::string, std::shared_ptr<const PlaceTables>> priors;  // by name@version#generation
 
@@ -46,21 +51,34 @@ struct Knowledge::State {
     const std::shared_lock lock(catalogue_mutex);
     return catalogue_now;
   }
+  // For readers who come now; overlays follow.
   void Publish(std::shared_ptr<const CatalogueState> next) {
-    const std::unique_lock lock(catalogue_mutex);
-    catalogue_now = std::move(next);
+    const Snapshot snapshot{next->view, next->generation};
+    {
+      const std::unique_lock lock(catalogue_mutex);
+      catalogue_now = std::move(next);
+    }
+    overlays.Renew(snapshot);
   }
 
-  // `below` closed with one more document. `key` names `below` and the document together.
-  rdf::View Over(const rdf::View& below, const std::string& key, const std::string& graph_name,
-                 const store::DocumentInfo& document);
+  // Throws a Refusal when `graph`, a document over the catalogue `base`, adds to terms of others.
+  void CheckAuthority(const CatalogueState& base, const rdf::Graph& graph, const Sent& sent,
+                      const authority::JudgeOptions& options = {});
+  // What of a contradiction in the top layer of `view`, which is `graph` over `base`, the document
+  // must answer for; nothing when the catalogue takes no side.
+  std::optional<Contradiction> Convict(const CatalogueState& base, const rdf::View& view,
+                                       const rdf::Graph& graph);
   // Catalogue + robot + recipe + environment, each where given.
   struct Stack {
     const store::DocumentInfo* robot = nullptr;
     const store::DocumentInfo* recipe = nullptr;
     const store::EnvironmentVersion* environment = nullptr;
   };
-  rdf::View ViewOf(const Stack& stack);
+  // `environment_graph`: the environment's semantic layer, where it was read already.
+  rdf::View ViewOf(const Stack& stack, const rdf::Graph* environment_graph = nullptr);
+  OverlaySource SourceOf(const std::string& graph_name, const store::DocumentInfo& document);
+
+  Overlays overlays{64};  // last: its thread uses what stands above
 };
 
 // Name of a document's graph in every view: "recipe:find-bottle".
@@ -70,6 +88,12 @@ std::string EnvironmentGraphName(const std::string& environment);
 // What a document of this graph is read with: its base, and the namespaces that Lares knows.
 rdf::ReadOptions OptionsFor(const std::string& graph_name, const std::string& source,
                             const rdf::AliasTable& aliases);
+
+// The imports that neither our modules nor stored documents answer: nothing is ever fetched. One
+// sentence for each.
+std::vector<std::string> AbsentImports(const rdf::Document& document,
+                                       const std::vector<Knowledge::Module>& modules,
+                                       const rdf::AliasTable& aliases);
 
 // The document behind a graph, read as it was when it was accepted: plainly, or repaired where that
 // was asked for then.

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "ontology/rdf/reader.h"
 #include "recipes/plan/export.h"
 
 namespace lares {
@@ -11,6 +12,15 @@ namespace testing {
 FakeAnswers& Answers() {
   static FakeAnswers answers;
   return answers;
+}
+
+rdf::View ViewOfTurtle(const std::string& turtle) {
+  static const auto dictionary = std::make_shared<rdf::Dictionary>();
+  const rdf::Document document = rdf::ReadRdf(turtle, rdf::Format::kTurtle, {});
+  std::vector<rdf::Graph> graphs;
+  graphs.push_back(rdf::MakeGraph(document, "recipe:demo", rdf::AliasTable{}, *dictionary));
+  return rdf::View(dictionary)
+      .With(std::make_shared<rdf::Layer>(std::move(graphs), rdf::Inference{}));
 }
 
 }  // namespace testing
@@ -27,11 +37,11 @@ namespace server {
 
 struct Knowledge::State {
   store::Store& store;
+  Changes changes;
   rdf::AliasTable aliases{{{"http://old#", "https://w3id.org/lares#", "the old one", true}}};
 };
 
-Knowledge::Knowledge(store::Store& store, prolog::EnginePool&)
-    : state_(std::make_unique<State>(State{store})) {}
+Knowledge::Knowledge(store::Store& store, prolog::EnginePool&) : state_(new State{store}) {}
 Knowledge::~Knowledge() = default;
 
 PutAnswer Knowledge::Put(const PutRequest& request) {
@@ -68,8 +78,31 @@ PutAnswer Knowledge::Put(const PutRequest& request) {
   return answer;
 }
 
+CheckAnswer Knowledge::Check(const CheckRequest& request) {
+  CheckAnswer answer;
+  answer.statements = request.bytes.size();
+  if (request.bytes.find("bad") == std::string::npos) return answer;
+  answer.report.is_clean = answer.report.is_owl2_rl = false;
+  answer.report.findings = {
+      {profile::Kind::kProfile,
+       "owl:unionOf on the side of the superclass",
+       7,
+       {{request.file_name, 3, 5}, {request.file_name, 9, 1}},
+       {"Cup", "Mug"}},
+      {profile::Kind::kRemark, "punning", 1, {{request.file_name, 4, 1}}, {"A"}}};
+  answer.warnings = {"imports <urn:x>, which is absent"};
+  return answer;
+}
+
 void Knowledge::Remove(store::DocumentKind kind, const std::string& id) {
   state_->store.DeleteDocument(kind, id);
+}
+
+PutAnswer Knowledge::Release(const std::string& quarantine_id, bool editor) {
+  PutRequest request;
+  request.id = quarantine_id;
+  request.editor = editor;
+  return Put(request);
 }
 
 Knowledge::VersionAnswer Knowledge::PutVersion(const store::NewVersion& version) {
@@ -137,6 +170,14 @@ recipes::Resource Knowledge::ResolveClass(const std::string& name) {
 const rdf::AliasTable& Knowledge::aliases() const { return state_->aliases; }
 std::vector<Knowledge::Module> Knowledge::Modules() const {
   return {{"core", "built-in", 100}, {"knowrob", "stored", 2000}};
+}
+Changes& Knowledge::changes() { return state_->changes; }
+rdf::View Knowledge::ViewFor(const ViewRequest& request) {
+  if (testing::Answers().view) return testing::Answers().view(request);
+  if (!request.environment.empty()) {
+    throw Error(Code::kNotFound, "no environment '" + request.environment + "'");
+  }
+  return Catalogue();
 }
 rdf::View Knowledge::Catalogue() const { return rdf::View(std::make_shared<rdf::Dictionary>()); }
 Knowledge::Counts Knowledge::counts() const { return {10, 20, 30, 1, 0}; }

@@ -14,7 +14,11 @@ struct FakeAnswers {
   std::function<server::PutAnswer(const server::PutRequest&, store::Store&)> put;
   std::function<server::PlanAnswer(const server::PlanRequest&)> plan;
   std::function<server::WhereAnswer(const server::WhereRequest&)> where;
+  std::function<rdf::View(const server::ViewRequest&)> view;  // set before anybody asks
 };
 FakeAnswers& Answers();
+
+// One layer with the triples of one document: graph "recipe:demo".
+rdf::View ViewOfTurtle(const std::string& turtle);
 
 }  // namespace lares::testing
