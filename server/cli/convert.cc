@@ -27,7 +27,7 @@ const std::map<std::string, rdf::Format>& FormatNames() {
       {"rdf-xml", rdf::Format::kRdfXml}, {"turtle", rdf::Format::kTurtle},
       {"trig", rdf::Format::kTriG},      {"n-triples", rdf::Format::kNTriples},
       {"n-quads", rdf::Format::kNQuads}, {"owl-functional", rdf::Format::kOwlFunctional},
-      {"owl-xml", rdf::Format::kOwlXml},
+      {"owl-xml", rdf::Format::kOwlXml}, {"json-ld", rdf::Format::kJsonLd},
   };
   return names;
 }
