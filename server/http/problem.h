@@ -33,6 +33,11 @@ class ProblemError : public Error {
   const std::string& problem_code() const { return problem_code_; }
   // A JSON object whose members join the document's; "" for none.
   const std::string& members_json() const { return members_json_; }
+  // As Error's, but a problem is what is thrown.
+  ProblemError& WithHint(std::string hint) {
+    Error::WithHint(std::move(hint));
+    return *this;
+  }
   ProblemError& WithMembers(std::string json) {
     members_json_ = std::move(json);
     return *this;

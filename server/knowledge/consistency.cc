@@ -35,16 +35,32 @@ rdf::Graph FirmPart(const rdf::View& own, const authority::Owners& owners,
   return firm;
 }
 
+// A contradiction about literals alone: a number without its datatype where one is wanted, or two
+// values where one may be. Descriptions of real robots are full of them and mean no harm: they are
+// told, and refused by nobody.
+bool IsOfValues(const rdf::View& view, const rdf::Clash& clash) {
+  if (clash.rule == "dt-not-type") return true;
+  const auto is_literal = [&](rdf::TermId term) {
+    return view.dictionary().Kind(term) == rdf::TermKind::kLiteral;
+  };
+  return clash.rule == "eq-diff1" && clash.premises.size() == 1 &&
+         is_literal(clash.premises[0].object);
+}
+
 }  // namespace
 
 std::optional<Contradiction> FindContradiction(const rdf::View& view) {
   if (view.layers().empty() || view.layers().back()->clash_count() == 0) return std::nullopt;
   const rdf::Layer& layer = *view.layers().back();
+  const auto is_of_values = [&](const rdf::Clash& clash) { return IsOfValues(view, clash); };
+  if (std::all_of(layer.clashes().begin(), layer.clashes().end(), is_of_values))
+    return std::nullopt;
   Contradiction contradiction;
   nlohmann::json clashes = nlohmann::json::array();
   contradiction.message = Join(DescribeClashes(view), "\n");
   for (const rdf::Clash& clash : layer.clashes()) {
     if (clashes.size() == kShown) break;
+    if (is_of_values(clash)) continue;
     nlohmann::json premises = nlohmann::json::array();
     contradiction.message += "\n" + clash.rule + " from:";
     for (const rdf::Triple& premise : clash.premises) {

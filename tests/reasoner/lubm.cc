@@ -39,8 +39,8 @@ rdf::View ReadLubm(const std::filesystem::path& folder,
         below, {rdf::MakeGraph(rdf::ReadRdf(bytes, format, options), name, aliases, *dictionary)}));
   };
   const rdf::View ontology =
-      add(rdf::View(dictionary), ReadFile(folder / "ontology/univ-bench.ttl"),
-          rdf::Format::kTurtle, "univ-bench.ttl");
+      add(rdf::View(dictionary), ReadFile(folder / "ontology/univ-bench.ttl"), rdf::Format::kTurtle,
+          "univ-bench.ttl");
   return add(ontology, ReadGzip(folder / "lubm-1-0-0.nt.gz"), rdf::Format::kNTriples, "lubm");
 }
 

@@ -594,7 +594,8 @@ std::string CheckStep(const owl::Proof& proof, const owl::ProofNode& node, const
     // A contradiction may be there twice over (a list that repeats a class), and what is said about
     // two restrictions may overlap.
     const bool may_overlap = node.is_contradiction() || node.rule.starts_with("scm-");
-    if (!may_overlap && rule->second.holds(smaller)) return "a premise of " + node.rule + " is not needed";
+    if (!may_overlap && rule->second.holds(smaller))
+      return "a premise of " + node.rule + " is not needed";
   }
   return "";
 }

@@ -52,9 +52,10 @@ TEST(ProverLubmTest, WhatFollowsHasProofsThatTheCheckerAccepts) {
   const auto at = [&](double part) {
     return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))].first;
   };
-  std::cout << times.size() << " proofs, time of the processor: median " << at(0.5) << " ms, 99 % " << at(0.99)
-            << " ms, most " << at(1) << " ms (" << ToText(times.back().second, view.dictionary())
-            << "), dearest " << longest << " steps\n";
+  std::cout << times.size() << " proofs, time of the processor: median " << at(0.5) << " ms, 99 % "
+            << at(0.99) << " ms, most " << at(1) << " ms ("
+            << ToText(times.back().second, view.dictionary()) << "), dearest " << longest
+            << " steps\n";
 }
 
 }  // namespace
