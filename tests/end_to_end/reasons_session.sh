@@ -27,7 +27,7 @@ has "nothing is called 'nothingOfTheKind'"
 expect 3 lares why '<not closed' a Cup
 
 expect 0 lares why-not myMug a Furniture
-has "Furniture"
+has "furniture" "does not hold"
 expect 5 lares why-not myMug a Cup
 
 # A grandparent is at distance 2, whatever else is stated.
