@@ -33,6 +33,15 @@ rdf::View Closed(const std::string& text) {
   return Over(rdf::View(std::make_shared<rdf::Dictionary>()), text, "test");
 }
 
+bool NamesLiterals(const rdf::View& view) {
+  if (view.equality() == nullptr) return false;
+  return !view.equality()->ForEachClass([&](std::span<const rdf::TermId> members) {
+    return std::none_of(members.begin(), members.end(), [&](rdf::TermId term) {
+      return view.dictionary().Kind(term) == rdf::TermKind::kLiteral;
+    });
+  });
+}
+
 std::vector<rdf::Triple> InferredOf(const rdf::View& view) {
   std::vector<rdf::Triple> inferred = view.Match({});
   std::erase_if(inferred, [&](const rdf::Triple& triple) { return view.IsAsserted(triple); });
@@ -57,7 +66,10 @@ std::map<rdf::Triple, unsigned> LeastCosts(const rdf::View& view) {
     again = false;
     for (const auto& [conclusion, premises] : steps) {
       unsigned cost = 1;
-      for (const rdf::Triple& premise : premises) cost += costs.at(premise);
+      for (const rdf::Triple& premise : premises) {
+        const auto known = costs.find(premise);
+        cost += known == costs.end() ? 1 : known->second;  // true of everything: one step
+      }
       if (cost >= costs[conclusion]) continue;
       costs[conclusion] = cost;
       again = true;
@@ -71,7 +83,8 @@ TEST(ProverTest, EveryInferredTripleHasAProofThatTheCheckerAcceptsAndNoneIsCheap
     Author author(seed);
     const std::string text = author.Text(6 + static_cast<int>(author.Below(20)));
     const rdf::View view = Closed(text);
-    if (view.has_literal_subjects()) continue;  // such steps are not shown
+    // Steps with literals as subjects are not shown, and what is the same as one has them.
+    if (view.has_literal_subjects() || NamesLiterals(view)) continue;
     const auto least = LeastCosts(view);
     Prover prover(view);
     for (const rdf::Triple& triple : InferredOf(view)) {
