@@ -110,7 +110,9 @@ FrameReader::Got FrameReader::Take(Frame* frame) {
   const char* const header = input_.data() + taken_;
   const std::size_t length = LengthIn(header + 1);
   const auto kind = static_cast<FrameKind>(header[0]);
-  if (length > kMaxFrame || (kind != FrameKind::kAnswer && kind != FrameKind::kEnd)) {
+  const bool is_known =
+      kind == FrameKind::kReady || kind == FrameKind::kAnswer || kind == FrameKind::kEnd;
+  if (length > kMaxFrame || !is_known) {
     return Got::kNonsense;
   }
   if (left < kHeader + length) return Got::kTimeout;

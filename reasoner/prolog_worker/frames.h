@@ -11,6 +11,7 @@ namespace lares::prolog {
 
 enum class FrameKind : char {
   kRequest = 'Q',  // with the snapshot's descriptor
+  kReady = 'R',    // confined, and about to begin; empty
   kAnswer = 'A',   // a JSON object
   kEnd = 'E',      // a JSON object: how it ended
 };

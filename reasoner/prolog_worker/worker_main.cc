@@ -44,6 +44,7 @@ void Work() {
   const rdf::View view = ReadSnapshot(snapshot);
   ::close(snapshot);
   Confine({request.at("memory_bytes"), request.at("cpu_s")});
+  SendFrame(kWorkerSocket, FrameKind::kReady, "");
 
   ExpertLimits limits;
   limits.max_answers = request.at("max_answers");

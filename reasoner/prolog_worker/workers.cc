@@ -21,7 +21,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
 
-constexpr std::chrono::seconds kCpuGrace{2};
+constexpr std::chrono::seconds kCpuGrace{5};    // for starting
+constexpr std::chrono::seconds kStartTime{20};  // of a process, on a machine that is busy
 
 // What a process's end means when it did not say so itself.
 GoalFault FaultOf(const ProcessEnd& end) {
@@ -80,12 +81,18 @@ struct Workers::State {
   std::condition_variable changed;
   Counts counts;
   std::set<RunningGoal::State*> running;
+  std::unique_ptr<GoalProcess> spare;
+  Clock::time_point spare_until{};
   bool stopping = false;
   std::thread keeper;  // ends what nobody reads from
 
   void Enter();
   void Leave(const std::string& outcome);
+  std::unique_ptr<GoalProcess> Begin(std::string_view request, int snapshot);
   void KeepHouse();
+  void EndIdleGoals();
+  void KeepSpare(std::unique_lock<std::mutex>& lock);
+  bool WantsSpare() const { return spare == nullptr && Clock::now() < spare_until; }
 };
 
 struct RunningGoal::State {
@@ -94,9 +101,10 @@ struct RunningGoal::State {
 
   std::shared_ptr<Workers::State> workers;
   const GoalRequest request;
-  std::optional<GoalProcess> process;
+  std::unique_ptr<GoalProcess> process;
   std::optional<FrameReader> reader;
   Clock::duration time_left;
+  bool is_ready = false;  // the goal itself has begun
   std::size_t bytes = 0;
   // Under the workers' mutex.
   Clock::time_point last_taken = Clock::now();
@@ -142,13 +150,60 @@ void Workers::State::KeepHouse() {
   constexpr std::chrono::milliseconds kPeriod{250};
   std::unique_lock lock(mutex);
   while (!stopping) {
-    changed.wait_for(lock, kPeriod, [this] { return stopping; });
+    changed.wait_for(lock, kPeriod, [this] { return stopping || WantsSpare(); });
     snapshots.Prune();
-    for (RunningGoal::State* goal : running) {
-      if (goal->is_awaited || Clock::now() - goal->last_taken < options.idle_time) continue;
-      goal->was_idle = true;
-      goal->process->Kill();
+    EndIdleGoals();
+    KeepSpare(lock);
+  }
+}
+
+// A process that waits for a request, as starting one takes longer than most goals. Its parent is
+// this thread, which lives as long as it may.
+void Workers::State::KeepSpare(std::unique_lock<std::mutex>& lock) {
+  if (stopping) return;
+  std::unique_ptr<GoalProcess> other;  // started or ended without the lock
+  const bool starts = WantsSpare();
+  if (!starts && spare != nullptr && Clock::now() >= spare_until) other = std::move(spare);
+  lock.unlock();
+  if (starts) {
+    try {
+      other = std::make_unique<GoalProcess>(options.program);
+    } catch (const Error&) {
+      // The next goal starts its own, or says why it cannot.
     }
+  } else {
+    other.reset();
+  }
+  lock.lock();
+  if (!starts) return;
+  if (other == nullptr) spare_until = {};
+  spare = std::move(other);
+}
+
+// A process with its request.
+std::unique_ptr<GoalProcess> Workers::State::Begin(std::string_view request, int snapshot) {
+  std::unique_ptr<GoalProcess> process;
+  {
+    const std::lock_guard lock(mutex);
+    process = std::move(spare);
+    if (options.spare_time > options.spare_time.zero()) {
+      spare_until = Clock::now() + options.spare_time;
+    }
+  }
+  changed.notify_all();
+  if (process != nullptr && SendFrame(process->socket(), FrameKind::kRequest, request, snapshot)) {
+    return process;
+  }
+  process = std::make_unique<GoalProcess>(options.program);
+  SendFrame(process->socket(), FrameKind::kRequest, request, snapshot);
+  return process;
+}
+
+void Workers::State::EndIdleGoals() {
+  for (RunningGoal::State* goal : running) {
+    if (goal->is_awaited || Clock::now() - goal->last_taken < options.idle_time) continue;
+    goal->was_idle = true;
+    goal->process->Kill();
   }
 }
 
@@ -164,6 +219,7 @@ Workers::~Workers() {
   }
   state_->changed.notify_all();
   state_->keeper.join();
+  state_->spare.reset();
 }
 
 std::unique_ptr<RunningGoal> Workers::Start(const rdf::View& view, const GoalRequest& request) {
@@ -182,9 +238,8 @@ std::unique_ptr<RunningGoal> Workers::Start(const rdf::View& view, const GoalReq
   auto goal = std::make_unique<RunningGoal::State>(state_, request);
   try {
     const std::shared_ptr<const SnapshotFile> snapshot = state_->snapshots.Of(view);
-    goal->process.emplace(state_->options.program);
+    goal->process = state_->Begin(bytes, snapshot->fd());
     goal->reader.emplace(goal->process->socket());
-    SendFrame(goal->process->socket(), FrameKind::kRequest, bytes, snapshot->fd());
   } catch (...) {
     state_->Leave("worker");
     throw;
@@ -230,9 +285,16 @@ FrameReader::Got RunningGoal::State::Wait(Frame* frame) {
     last_taken = Clock::now();
   };
   mark(true);
-  const Clock::time_point begin = Clock::now();
-  const FrameReader::Got got = reader->Next(frame, begin + time_left);
-  time_left -= Clock::now() - begin;
+  FrameReader::Got got = FrameReader::Got::kFrame;
+  if (!is_ready) {
+    got = reader->Next(frame, Clock::now() + kStartTime);
+    is_ready = got == FrameReader::Got::kFrame && frame->kind == FrameKind::kReady;
+  }
+  if (is_ready) {
+    const Clock::time_point begin = Clock::now();
+    got = reader->Next(frame, begin + time_left);
+    time_left -= Clock::now() - begin;
+  }
   mark(false);
   return got;
 }
@@ -245,6 +307,9 @@ std::optional<GoalEnd> RunningGoal::State::EndAt(FrameReader::Got got, const Fra
     end.fault = GoalFault{kind, message};
     return end;
   };
+  if (got == FrameReader::Got::kTimeout && !is_ready) {
+    return fault("worker", "the goal's process did not begin in time");
+  }
   if (got == FrameReader::Got::kTimeout) return fault("time", "the goal took longer than it may");
   if (got == FrameReader::Got::kFrame && frame.kind == FrameKind::kEnd) {
     if (const auto end = ReadEnd(frame.bytes)) return end;

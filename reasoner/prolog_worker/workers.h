@@ -20,6 +20,8 @@ struct WorkerOptions {
   int max_waiting = 8;                          // more are refused at once
   std::chrono::milliseconds wait_time{5'000};   // for one that runs to end
   std::chrono::milliseconds idle_time{30'000};  // that a goal waits for its answers to be taken
+  // That a process is kept ready for the next goal, after one was asked; 0: none is.
+  std::chrono::milliseconds spare_time{60'000};
   std::size_t memory_bytes = std::size_t{512} << 20;  // of a worker, beyond its program and view
   std::string program = "/proc/self/exe";             // which calls RunWorker() when it is told to
 };
@@ -28,7 +30,7 @@ struct GoalRequest {
   std::string goal;
   std::size_t max_answers = 1000;
   std::size_t max_bytes = std::size_t{64} << 20;  // of all answers together
-  std::chrono::milliseconds time{10'000};         // that the goal may think
+  std::chrono::milliseconds time{10'000};         // that the goal may think, once it has begun
   bool prove = true;                              // false: in tests of the process alone
 };
 

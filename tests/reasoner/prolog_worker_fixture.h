@@ -73,6 +73,7 @@ class WorkersTest : public ::testing::Test {
   static WorkerOptions Wanted() {
     WorkerOptions options;
     options.memory_bytes = std::size_t{256} << 20;
+    options.spare_time = std::chrono::milliseconds(0);
     return options;
   }
 

@@ -120,6 +120,21 @@ TEST_F(WorkersTest, ManyGoalsLeaveNothingBehind) {
   EXPECT_EQ(Children(), 0);
 }
 
+TEST_F(WorkersTest, AProcessIsKeptReadyForTheNextGoalAndNotForEver) {
+  WorkerOptions options = Wanted();
+  options.spare_time = 1000ms;
+  Workers workers(options);
+  const auto wait_for = [](int children) {
+    for (int i = 0; i < 500 && Children() != children; ++i) std::this_thread::sleep_for(10ms);
+    return Children();
+  };
+  EXPECT_THAT(Collect(*workers.Start(view_, {.goal = "true"})).answers, SizeIs(1));
+  EXPECT_EQ(wait_for(1), 1);
+  EXPECT_THAT(Collect(*workers.Start(view_, {.goal = "true"})).answers, SizeIs(1));
+  EXPECT_EQ(wait_for(0), 0);
+  EXPECT_THAT(Collect(*workers.Start(view_, {.goal = "true"})).answers, SizeIs(1));
+}
+
 TEST_F(WorkersTest, WhatHasNoRoomWaitsOrIsRefused) {
   WorkerOptions options = Wanted();
   options.max_running = 1;

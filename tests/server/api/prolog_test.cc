@@ -66,7 +66,7 @@ TEST_F(PrologApiTest, TheFirstLineComesBeforeTheGoalHasEnded) {
                           },
                           {},
                           {}});
-  EXPECT_LT(first, std::chrono::milliseconds(1500));
+  EXPECT_GT(std::chrono::steady_clock::now() - begin - first, std::chrono::milliseconds(1000));
   EXPECT_THAT(body, HasSubstr("\"outcome\":\"error\""));
   EXPECT_THAT(body, HasSubstr("\"kind\":\"time\""));
 }
