@@ -187,6 +187,16 @@ TEST(OwlWriter, GraphsBuiltToExplodeEndInAnError) {
   EXPECT_THAT(MessageOfWriting(turtle), HasSubstr("shared so often"));
 }
 
+TEST(OwlWriter, PrefixThatGivesAStandardNameAnotherMeaningIsNotWritten) {
+  const Document document =
+      ReadRdf("@prefix owl: <http://e/> . owl:a a owl:b .", Format::kTurtle, Named("x"));
+  for (const Format format : {Format::kOwlFunctional, Format::kOwlXml}) {
+    const Document again = ReadRdf(WriteRdf(document, format), format, Named("y"));
+    EXPECT_THAT(Lines(again), HasSubstr("<http://e/a> "));
+    EXPECT_EQ(again.prefixes.count("owl"), 0u);
+  }
+}
+
 TEST(OwlWriter, NamedGraphsAreRefused) {
   const Document document =
       ReadRdf("<http://e/g> { <http://e/a> a <http://e/b> }", Format::kTriG, Named("x"));

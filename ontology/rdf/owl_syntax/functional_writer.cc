@@ -1,8 +1,10 @@
+#include <map>
 #include <string>
+#include <utility>
 
 #include "ontology/rdf/owl_syntax/owl_writers.h"
-#include "ontology/rdf/prefix_table.h"
 #include "ontology/rdf/term_checks.h"
+#include "ontology/rdf/vocabulary.h"
 #include "ontology/rdf/writers.h"
 
 namespace lares::rdf {
@@ -15,7 +17,7 @@ class FunctionalWriter {
  public:
   explicit FunctionalWriter(const Document& document)
       : document_(document),
-        prefixes_(document.prefixes),
+        prefixes_(OwlPrefixes(document)),
         labels_(BlankLabels(document, &IsBlankLabel)) {}
 
   std::string Write(const OwlOntology& ontology);
@@ -118,6 +120,16 @@ void FunctionalWriter::PrintIri(std::string_view iri) {
 }
 
 }  // namespace
+
+PrefixTable OwlPrefixes(const Document& document) {
+  std::map<std::string, std::string> prefixes = document.prefixes;
+  for (const auto& [name, space] :
+       {std::pair("rdf", kRdf), {"rdfs", kRdfs}, {"owl", kOwl}, {"xsd", kXsd}}) {
+    const auto row = prefixes.find(name);
+    if (row != prefixes.end() && row->second != space) prefixes.erase(row);
+  }
+  return PrefixTable(prefixes);
+}
 
 std::string PrintFunctional(const Document& document, const OwlOntology& ontology) {
   return FunctionalWriter(document).Write(ontology);

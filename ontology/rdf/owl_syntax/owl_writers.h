@@ -6,8 +6,13 @@
 
 #include "ontology/rdf/document.h"
 #include "ontology/rdf/owl_syntax/rdf_to_axioms.h"
+#include "ontology/rdf/prefix_table.h"
 
 namespace lares::rdf {
+
+// The document's prefixes but those that give a standard name (rdf, rdfs, owl, xsd) another
+// meaning: OWL's syntaxes do not allow that.
+PrefixTable OwlPrefixes(const Document& document);
 
 // `ontology` is of `document`, whose terms are well-formed.
 std::string PrintFunctional(const Document& document, const OwlOntology& ontology);

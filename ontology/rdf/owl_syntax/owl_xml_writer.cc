@@ -1,7 +1,6 @@
 #include <string>
 
 #include "ontology/rdf/owl_syntax/owl_writers.h"
-#include "ontology/rdf/prefix_table.h"
 #include "ontology/rdf/term_checks.h"
 #include "ontology/rdf/vocabulary.h"
 #include "ontology/rdf/writers.h"
@@ -41,7 +40,7 @@ class OwlXmlWriter {
  public:
   explicit OwlXmlWriter(const Document& document)
       : document_(document),
-        prefixes_(document.prefixes),
+        prefixes_(OwlPrefixes(document)),
         labels_(BlankLabels(document, &IsAsciiXmlName)) {}
 
   std::string Write(const OwlOntology& ontology);
