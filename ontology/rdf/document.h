@@ -14,12 +14,21 @@
 
 namespace lares::rdf {
 
-enum class Format { kRdfXml, kTurtle, kTriG, kNTriples, kNQuads };
+enum class Format {
+  kRdfXml,
+  kTurtle,
+  kTriG,
+  kNTriples,
+  kNQuads,
+  kOwlFunctional,  // OWL 2 Functional-Style Syntax
+  kOwlXml,         // OWL/XML, which is not RDF/XML
+};
 
 // "application/rdf+xml", "text/turtle", …
 std::string_view MediaType(Format format);
 // From a media type (parameters ignored), a file name (".owl", ".rdf", ".ttl", ".trig", ".nt",
-// ".nq") or, with neither telling, the first bytes. Throws kUnsupported.
+// ".nq", ".ofn", ".owx") or, with neither telling, the first bytes. ".owl" and the media types of
+// XML say little: the first bytes tell RDF/XML from OWL's own syntaxes. Throws kUnsupported.
 Format GuessFormat(std::string_view media_type, std::string_view file_name, std::string_view bytes);
 
 struct Statement {

@@ -3,6 +3,7 @@
 
 #include "base/text.h"
 #include "ontology/rdf/document.h"
+#include "ontology/rdf/vocabulary.h"
 
 namespace lares::rdf {
 namespace {
@@ -12,23 +13,30 @@ struct Row {
   Format format;
 };
 
-constexpr std::array<Row, 9> kMediaTypes = {{{"application/rdf+xml", Format::kRdfXml},
-                                             {"application/xml", Format::kRdfXml},
-                                             {"text/xml", Format::kRdfXml},
-                                             {"text/turtle", Format::kTurtle},
-                                             {"application/x-turtle", Format::kTurtle},
-                                             {"application/trig", Format::kTriG},
-                                             {"application/x-trig", Format::kTriG},
-                                             {"application/n-triples", Format::kNTriples},
-                                             {"application/n-quads", Format::kNQuads}}};
+constexpr std::array<Row, 12> kMediaTypes = {
+    {{"application/rdf+xml", Format::kRdfXml},
+     {"application/xml", Format::kRdfXml},
+     {"text/xml", Format::kRdfXml},
+     {"text/turtle", Format::kTurtle},
+     {"application/x-turtle", Format::kTurtle},
+     {"application/trig", Format::kTriG},
+     {"application/x-trig", Format::kTriG},
+     {"application/n-triples", Format::kNTriples},
+     {"application/n-quads", Format::kNQuads},
+     {"text/owl-functional", Format::kOwlFunctional},
+     {"application/owl-functional", Format::kOwlFunctional},
+     {"application/owl+xml", Format::kOwlXml}}};
 
-constexpr std::array<Row, 7> kExtensions = {{{".rdf", Format::kRdfXml},
-                                             {".xml", Format::kRdfXml},
-                                             {".rdfs", Format::kRdfXml},
-                                             {".ttl", Format::kTurtle},
-                                             {".trig", Format::kTriG},
-                                             {".nt", Format::kNTriples},
-                                             {".nq", Format::kNQuads}}};
+constexpr std::array<Row, 10> kExtensions = {{{".rdf", Format::kRdfXml},
+                                              {".xml", Format::kRdfXml},
+                                              {".rdfs", Format::kRdfXml},
+                                              {".ttl", Format::kTurtle},
+                                              {".trig", Format::kTriG},
+                                              {".nt", Format::kNTriples},
+                                              {".nq", Format::kNQuads},
+                                              {".ofn", Format::kOwlFunctional},
+                                              {".owx", Format::kOwlXml},
+                                              {".owlxml", Format::kOwlXml}}};
 
 // Types that clients send when they do not know.
 constexpr std::array<std::string_view, 3> kVagueTypes = {"application/octet-stream", "text/plain",
@@ -64,10 +72,45 @@ bool IsMarkup(std::string_view text) {
   return name == "rdf:RDF" || name == "RDF";
 }
 
+// What comes after the declaration, comments and document type of an XML text.
+std::string_view RootOf(std::string_view text) {
+  while (text.size() > 1 && text[0] == '<' && (text[1] == '?' || text[1] == '!')) {
+    const bool is_comment = text.starts_with("<!--");
+    std::size_t end = text.find(is_comment ? "-->" : ">");
+    if (!is_comment && text.substr(0, end).find('[') != std::string_view::npos) {
+      end = text.find("]>");  // a document type with declarations of its own
+    }
+    if (end == std::string_view::npos) return {};
+    text.remove_prefix(text.find('>', end) + 1);
+    text.remove_prefix(std::min(text.find('<'), text.size()));
+  }
+  return text;
+}
+
+// "Ontology" of OWL's namespace, whatever its prefix.
+bool IsOwlXml(std::string_view text) {
+  const std::string_view root = RootOf(text);
+  const std::string_view tag = root.substr(0, root.find('>'));
+  const std::string_view name = tag.substr(0, tag.find_first_of(" \t\r\n"));
+  return (name == "<Ontology" || name.ends_with(":Ontology")) &&
+         tag.find(kOwl) != std::string_view::npos;
+}
+
+// "Prefix(", "Ontology (".
+bool IsOwlFunctional(std::string_view text) {
+  for (const std::string_view word : {"Prefix", "Ontology"}) {
+    if (!text.starts_with(word)) continue;
+    const std::size_t next = text.find_first_not_of(" \t\r\n", word.size());
+    if (next != std::string_view::npos && text[next] == '(') return true;
+  }
+  return false;
+}
+
 std::optional<Format> FromBytes(std::string_view bytes) {
   const std::string_view text = SkipBlank(bytes.substr(0, 1 << 16));
   if (text.empty()) return std::nullopt;
-  if (IsMarkup(text)) return Format::kRdfXml;
+  if (IsOwlFunctional(text)) return Format::kOwlFunctional;
+  if (IsMarkup(text)) return IsOwlXml(text) ? Format::kOwlXml : Format::kRdfXml;
   if (text[0] == '{' || StartsWithWord(text, "graph")) return Format::kTriG;
   if (StartsWithWord(text, "@prefix") || StartsWithWord(text, "@base") ||
       StartsWithWord(text, "prefix") || StartsWithWord(text, "base") || text[0] == '<' ||
@@ -80,19 +123,22 @@ std::optional<Format> FromBytes(std::string_view bytes) {
 [[noreturn]] void Refuse(const std::string& why) {
   throw Error(Code::kUnsupported, why)
       .WithHint(
-          "RDF/XML (.owl, .rdf), Turtle (.ttl), TriG (.trig), N-Triples (.nt) and N-Quads (.nq) "
-          "are read");
+          "RDF/XML (.owl, .rdf), Turtle (.ttl), TriG (.trig), N-Triples (.nt), N-Quads (.nq), OWL "
+          "functional syntax (.ofn) and OWL/XML (.owx) are read");
 }
 
-// Syntaxes of OWL that are not RDF, whatever they were sent as.
-void RefuseOtherOwlSyntaxes(std::string_view bytes) {
+// A syntax of OWL that is not read, whatever it was sent as.
+void RefuseManchesterSyntax(std::string_view bytes) {
   const std::string_view text = SkipBlank(bytes.substr(0, 1 << 16));
-  if (text.starts_with("Prefix(") || text.starts_with("Ontology(")) {
-    Refuse("this is OWL functional syntax, which is not read: convert it to RDF/XML or Turtle");
-  }
   if (text.starts_with("Prefix:") || text.starts_with("Ontology:")) {
     Refuse("this is OWL Manchester syntax, which is not read: convert it to RDF/XML or Turtle");
   }
+}
+
+// What is said to be RDF/XML, or just XML, may be one of OWL's own syntaxes.
+Format OfXml(Format named, std::string_view bytes) {
+  const auto seen = FromBytes(bytes);
+  return seen == Format::kOwlXml || seen == Format::kOwlFunctional ? *seen : named;
 }
 
 }  // namespace
@@ -109,17 +155,22 @@ std::string_view MediaType(Format format) {
       return "application/n-triples";
     case Format::kNQuads:
       return "application/n-quads";
+    case Format::kOwlFunctional:
+      return "text/owl-functional";
+    case Format::kOwlXml:
+      return "application/owl+xml";
   }
   return "application/octet-stream";
 }
 
 Format GuessFormat(std::string_view media_type, std::string_view file_name,
                    std::string_view bytes) {
-  RefuseOtherOwlSyntaxes(bytes);
+  RefuseManchesterSyntax(bytes);
   const std::string type =
       ToLower(Trim(media_type.substr(0, std::min(media_type.find(';'), media_type.size()))));
   for (const Row& row : kMediaTypes) {
-    if (type == row.key) return row.format;
+    if (type != row.key) continue;
+    return row.format == Format::kRdfXml ? OfXml(row.format, bytes) : row.format;
   }
   bool is_vague = type.empty() || type == "*/*";
   for (const std::string_view vague : kVagueTypes) is_vague = is_vague || type == vague;
@@ -128,7 +179,8 @@ Format GuessFormat(std::string_view media_type, std::string_view file_name,
   // ".owl" says ontology, not syntax.
   if (name.ends_with(".owl")) return FromBytes(bytes).value_or(Format::kRdfXml);
   for (const Row& row : kExtensions) {
-    if (name.ends_with(row.key)) return row.format;
+    if (!name.ends_with(row.key)) continue;
+    return row.format == Format::kRdfXml ? OfXml(row.format, bytes) : row.format;
   }
   if (const auto format = FromBytes(bytes)) return *format;
   Refuse("the format of the document is not told by its name or its first bytes");

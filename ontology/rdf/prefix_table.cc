@@ -58,11 +58,18 @@ std::string PrefixTable::Shorten(std::string_view iri) {
 
 std::string PrefixTable::Declarations() const {
   std::string lines;
-  for (const auto& [prefix, space] : declared_) {
-    if (unused_.count(prefix) != 0) continue;
+  for (const auto& [prefix, space] : Used()) {
     lines += "@prefix " + prefix + ": <" + space + "> .\n";
   }
   return lines;
+}
+
+std::vector<std::pair<std::string, std::string>> PrefixTable::Used() const {
+  std::vector<std::pair<std::string, std::string>> used;
+  for (const auto& row : declared_) {
+    if (unused_.count(row.first) == 0) used.push_back(row);
+  }
+  return used;
 }
 
 }  // namespace lares::rdf

@@ -5,6 +5,8 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace lares::rdf {
 
@@ -17,6 +19,8 @@ class PrefixTable {
   std::string Shorten(std::string_view iri);
   // The lines that declare: all of the document's, of the others those used.
   std::string Declarations() const;
+  // The same as pairs of prefix and namespace.
+  std::vector<std::pair<std::string, std::string>> Used() const;
 
  private:
   std::map<std::string, std::string, std::less<>> declared_;      // prefix → namespace

@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "ontology/rdf/byte_set.h"
+#include "ontology/rdf/owl_syntax/owl_readers.h"
 #include "ontology/rdf/parsers.h"
 #include "ontology/rdf/position.h"
 #include "ontology/rdf/term_checks.h"
@@ -54,8 +55,10 @@ Document ReadRdf(std::string_view bytes, Format format, const ReadOptions& optio
     throw Error(Code::kInvalid, "the base IRI " + Quoted(options.base_iri) + " is not absolute");
   }
   if (format == Format::kRdfXml) return ReadRdfXml(bytes, options);
+  if (format == Format::kOwlXml) return ReadOwlXml(bytes, options);
   CheckText(bytes, options.source);
   if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+  if (format == Format::kOwlFunctional) return ReadOwlFunctional(bytes, options);
   return ReadWithSerd(bytes, format, options);
 }
 

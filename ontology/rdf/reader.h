@@ -1,4 +1,5 @@
-// Reading RDF: RDF/XML (libxml2's reader, then Raptor), Turtle, TriG, N-Triples, N-Quads (Serd).
+// Reading RDF: RDF/XML (libxml2's reader, then Raptor), Turtle, TriG, N-Triples, N-Quads (Serd),
+// and OWL 2's functional syntax and OWL/XML as the triples they map to.
 #pragma once
 
 #include <cstddef>

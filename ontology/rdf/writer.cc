@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ontology/rdf/owl_syntax/owl_writers.h"
 #include "ontology/rdf/term_checks.h"
 #include "ontology/rdf/writers.h"
 
@@ -40,6 +41,32 @@ void CheckDocument(const Document& document, bool may_have_graphs) {
   }
 }
 
+std::string Describe(const Document& document, const LeftOutTriple& left_out) {
+  const Statement& statement = left_out.statement;
+  std::string text;
+  for (const std::uint32_t term : {statement.subject, statement.predicate, statement.object}) {
+    text += ToNTriples(document.terms[term].view()) + " ";
+  }
+  return text + ". (" + left_out.why + ")";
+}
+
+std::string PrintAxioms(const Document& document, const OwlOntology& ontology, Format format) {
+  return format == Format::kOwlXml ? PrintOwlXml(document, ontology)
+                                   : PrintFunctional(document, ontology);
+}
+
+std::string WriteOwl(const Document& document, Format format) {
+  const AxiomsOfDocument axioms = AxiomsOf(document);
+  if (!axioms.left_out.empty()) {
+    const std::size_t more = axioms.left_out.size() - 1;
+    throw Error(Code::kInvalid,
+                "no axiom of OWL 2 says " + Describe(document, axioms.left_out[0]) +
+                    (more == 0 ? "" : ", nor " + std::to_string(more) + " more of its triples"))
+        .WithHint("Turtle can hold any triple");
+  }
+  return PrintAxioms(document, axioms.ontology, format);
+}
+
 }  // namespace
 
 std::vector<std::string> BlankLabels(const Document& document, bool (*fits)(std::string_view)) {
@@ -72,6 +99,20 @@ std::string WriteLines(const Document& document) {
   return out;
 }
 
+bool HoldsOnlyAxioms(Format format) {
+  return format == Format::kOwlFunctional || format == Format::kOwlXml;
+}
+
+OwlText WriteAxioms(const Document& document, Format format) {
+  CheckDocument(document, false);
+  const AxiomsOfDocument axioms = AxiomsOf(document);
+  OwlText written{PrintAxioms(document, axioms.ontology, format), {}};
+  for (const LeftOutTriple& triple : axioms.left_out) {
+    written.left_out.push_back(Describe(document, triple));
+  }
+  return written;
+}
+
 std::string WriteRdf(const Document& document, Format format) {
   CheckDocument(document, format == Format::kTriG || format == Format::kNQuads);
   switch (format) {
@@ -83,6 +124,9 @@ std::string WriteRdf(const Document& document, Format format) {
       return WriteTurtle(document);
     case Format::kRdfXml:
       return WriteRdfXml(document);
+    case Format::kOwlFunctional:
+    case Format::kOwlXml:
+      return WriteOwl(document, format);
   }
   throw Error(Code::kInternal, "a format that is none");
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ontology/rdf/document.h"
@@ -17,5 +18,8 @@ std::string WriteLines(const Document& document);
 // Turtle or, with graphs, TriG.
 std::string WriteTurtle(const Document& document);
 std::string WriteRdfXml(const Document& document);
+
+// UTF-8 text that XML can hold, as character data or as the value of an attribute.
+std::string EscapedXml(std::string_view text, bool is_attribute);
 
 }  // namespace lares::rdf

@@ -79,6 +79,17 @@ bool IsAsciiXmlName(std::string_view name) {
   return !name.empty() && XmlNameStart(name) == 0;
 }
 
+bool IsXmlName(std::string_view text, const XmlNameForm& form) {
+  for (std::size_t at = 0; at < text.size();) {
+    const bool is_first = at == 0;
+    const std::uint32_t code = NextCode(text, at);
+    if (code == ':' && form.allows_colon) continue;
+    if (IsIn(kNameStart, code)) continue;
+    if ((is_first && !form.is_token) || !IsIn(kNameMore, code)) return false;
+  }
+  return !text.empty();
+}
+
 bool IsXmlText(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
     const std::uint32_t code = NextCode(text, at);

@@ -77,8 +77,9 @@ struct XmlPass {
   EntitySizes entities;
   std::vector<std::string> languages;  // xml:lang in scope, for each open element
   std::size_t expanded_bytes = 0;
-  std::optional<Error> fault;
+  std::exception_ptr fault;
   XmlSummary summary;
+  const XmlEvents* events = nullptr;
 
   Place Here() const {
     // Inside an entity: the place of the reference.
@@ -86,10 +87,21 @@ struct XmlPass {
     if (input == nullptr) return {options.source, 0, 0};
     return {options.source, input->line, input->col};
   }
-  void Stop(const Error& error) {
+  void Stop(const Error& error) { StopWith(std::make_exception_ptr(error)); }
+  void StopWith(std::exception_ptr exception) {
     if (fault) return;
-    fault = error;
+    fault = std::move(exception);
     xmlStopParser(context);
+  }
+  // Nothing may be thrown through libxml2.
+  template <typename Call>
+  void Tell(Call&& call) {
+    if (events == nullptr || fault) return;
+    try {
+      call(*events);
+    } catch (...) {
+      StopWith(std::current_exception());
+    }
   }
   void Refuse(Code code, const std::string& message) { Stop(Error(code, message, Here())); }
 };
@@ -200,6 +212,35 @@ bool IsWithdrawn(const AttributeView& attribute) {
           attribute.local == "bagID");
 }
 
+// Where the tag begins that libxml2 has just read up to its '>'. Not known inside an entity and
+// where the text is transcoded.
+std::size_t OffsetOfTag(const XmlPass& pass) {
+  const xmlParserInputPtr input = pass.context->input;
+  if (input == nullptr || pass.context->inputNr != 1) return XmlElement::kNoOffset;
+  if (input->buf != nullptr && input->buf->encoder != nullptr) return XmlElement::kNoOffset;
+  const std::size_t at = static_cast<std::size_t>(input->consumed) +
+                         static_cast<std::size_t>(input->cur - input->base);
+  return at > pass.bytes.size() ? XmlElement::kNoOffset : pass.bytes.rfind('<', at);
+}
+
+void TellStart(XmlPass& pass, std::string_view name, std::string_view space,
+               const xmlChar** attributes, int count) {
+  pass.Tell([&](const XmlEvents& events) {
+    XmlElement element{space, name, {}, pass.languages.back(), pass.Here(), OffsetOfTag(pass)};
+    for (int i = 0; i < count; ++i) {
+      const AttributeView attribute = AttributeAt(attributes, i);
+      element.attributes.push_back({attribute.prefix, attribute.local, attribute.value});
+    }
+    events.start(element);
+  });
+}
+
+void OnText(void* data, const xmlChar* text, int length) {
+  PassOf(data).Tell([&](const XmlEvents& events) {
+    events.text({reinterpret_cast<const char*>(text), static_cast<std::size_t>(length)});
+  });
+}
+
 void EnterLanguage(XmlPass& pass, const xmlChar** attributes, int count) {
   pass.languages.push_back(pass.languages.empty() ? std::string() : pass.languages.back());
   for (int i = 0; i < count; ++i) {
@@ -210,8 +251,8 @@ void EnterLanguage(XmlPass& pass, const xmlChar** attributes, int count) {
   }
 }
 
-void OnStart(void* data, const xmlChar*, const xmlChar*, const xmlChar* space, int, const xmlChar**,
-             int count, int, const xmlChar** attributes) {
+void OnStart(void* data, const xmlChar* name, const xmlChar*, const xmlChar* space, int,
+             const xmlChar**, int count, int, const xmlChar** attributes) {
   XmlPass& pass = PassOf(data);
   EnterLanguage(pass, attributes, count);
   const std::string& language = pass.languages.back();
@@ -236,10 +277,13 @@ void OnStart(void* data, const xmlChar*, const xmlChar*, const xmlChar* space, i
   } else if (ViewOf(space) == kXInclude) {
     pass.Refuse(Code::kUnsupported, "XInclude is not followed");
   }
+  TellStart(pass, ViewOf(name), ViewOf(space), attributes, count);
 }
 
 void OnEnd(void* data, const xmlChar*, const xmlChar*, const xmlChar*) {
-  PassOf(data).languages.pop_back();
+  XmlPass& pass = PassOf(data);
+  pass.languages.pop_back();
+  pass.Tell([](const XmlEvents& events) { events.end(); });
 }
 
 xmlSAXHandler Handlers() {
@@ -253,6 +297,9 @@ xmlSAXHandler Handlers() {
   handlers.getParameterEntity = &xmlSAX2GetParameterEntity;
   handlers.startElementNs = &OnStart;
   handlers.endElementNs = &OnEnd;
+  handlers.characters = &OnText;
+  handlers.ignorableWhitespace = &OnText;
+  handlers.cdataBlock = &OnText;
   handlers.serror = &OnError;
   return handlers;
 }
@@ -266,7 +313,7 @@ struct ContextDeleter {
 
 }  // namespace
 
-XmlSummary CheckXml(std::string_view bytes, const ReadOptions& options) {
+XmlSummary CheckXml(std::string_view bytes, const ReadOptions& options, const XmlEvents* events) {
   if (Trim(bytes).empty()) {
     throw Error(Code::kInvalid, "the document is empty", {options.source, 1, 1});
   }
@@ -278,12 +325,12 @@ XmlSummary CheckXml(std::string_view bytes, const ReadOptions& options) {
       xmlCreateMemoryParserCtxt(bytes.data(), static_cast<int>(bytes.size())));
   if (!context) throw Error(Code::kUnavailable, "no memory for an XML parser");
   XmlPass pass{bytes, options, context.get(), EntitySizes(options.max_entity_bytes + 1), {}, 0,
-               {},    {}};
+               {},    {},      events};
   context->_private = &pass;
   *context->sax = Handlers();
   xmlCtxtUseOptions(context.get(), XML_PARSE_NONET | XML_PARSE_NOENT);
   xmlParseDocument(context.get());
-  if (pass.fault) throw *pass.fault;
+  if (pass.fault) std::rethrow_exception(pass.fault);
   if (context->wellFormed == 0) {
     throw Error(Code::kInvalid, "the XML is not well-formed", pass.Here());
   }

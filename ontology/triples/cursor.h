@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "ontology/triples/view.h"
 
@@ -12,16 +13,21 @@ namespace lares::rdf {
 class Cursor {
  public:
   Cursor(View view, const Pattern& pattern, Origin origin = Origin::kAll);
+  Cursor(Cursor&&) = default;
+  Cursor& operator=(Cursor&&) = default;
 
   // The next answer into `*triple`; false, leaving it alone, when there are no more.
   bool Next(Triple* triple);
 
  private:
+  bool IsAnswer(const Triple& triple) const;
+
   View view_;
   Pattern pattern_;
   Origin origin_;
   std::size_t next_layer_ = 0;
-  std::span<const Triple> rest_;  // of the layer before next_layer_
+  std::span<const Triple> rest_;   // of the layer before next_layer_, or of collected_
+  std::vector<Triple> collected_;  // all answers, where the view has terms that are the same
 };
 
 }  // namespace lares::rdf

@@ -8,11 +8,14 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <shared_mutex>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "base/error.h"
+#include "ontology/rdf/literal_value.h"
 #include "ontology/rdf/vocabulary.h"
 
 namespace lares::rdf {
@@ -29,6 +32,7 @@ struct Entry {
   const Suffix* suffix = nullptr;  // of literals that have one
   std::uint32_t size = 0;
   TermKind kind = TermKind::kIri;
+  std::atomic<bool> has_twins{false};  // other literals denote its value
 };
 
 // Chunk k holds 2^(k + 8) entries, so that entries never move and small dictionaries stay small.
@@ -116,6 +120,48 @@ class Arena {
   std::size_t bytes_ = 0;
 };
 
+// Which literals denote one value. Not thread-safe.
+class ValueIndex {
+ public:
+  // The literal that first denoted `value`; `id` when it is the first.
+  template <typename ValueOfId>
+  TermId Insert(const DataValue& value, TermId id, ValueOfId&& value_of) {
+    if (2 * (count_ + 1) > slots_.size()) Grow();
+    const std::uint64_t hash = HashOf(value);
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t i = (hash >> 32) & mask;
+    for (; slots_[i] != 0; i = (i + 1) & mask) {
+      if (slots_[i] >> 32 != hash >> 32) continue;
+      const TermId first{static_cast<std::uint32_t>(slots_[i])};
+      if (value_of(first) == value) return first;
+    }
+    slots_[i] = (hash >> 32) << 32 | static_cast<std::uint32_t>(id);
+    ++count_;
+    return id;
+  }
+  std::size_t bytes() const { return slots_.capacity() * sizeof(std::uint64_t); }
+
+ private:
+  static std::uint64_t HashOf(const DataValue& value) {
+    const std::uint64_t text = std::hash<std::string_view>()(value.canonical);
+    return (text + static_cast<std::uint64_t>(value.space)) * 0x9E3779B97F4A7C15ULL;
+  }
+  void Grow() {
+    std::vector<std::uint64_t> old(slots_.empty() ? 64 : 2 * slots_.size());
+    old.swap(slots_);
+    const std::size_t mask = slots_.size() - 1;
+    for (const std::uint64_t slot : old) {
+      if (slot == 0) continue;
+      std::size_t i = (slot >> 32) & mask;
+      while (slots_[i] != 0) i = (i + 1) & mask;
+      slots_[i] = slot;
+    }
+  }
+
+  std::vector<std::uint64_t> slots_;  // open addressing over hash << 32 | id; 0 is empty
+  std::size_t count_ = 0;
+};
+
 }  // namespace
 
 struct Dictionary::State {
@@ -135,8 +181,14 @@ struct Dictionary::State {
   Arena arena;
   std::deque<Suffix> suffixes;
   std::map<std::pair<std::string_view, std::string_view>, const Suffix*> suffix_of;
+  ValueIndex values;
+  bool has_derived_text = false;  // a literal of a datatype derived from xsd:string
 
-  const Entry& At(std::uint32_t index) const {
+  mutable std::shared_mutex twins_mutex;  // guards what follows
+  std::unordered_map<TermId, TermId> first_of;
+  std::unordered_map<TermId, std::vector<TermId>> twins_of;  // by the first
+
+  Entry& At(std::uint32_t index) const {
     const Slot slot = SlotOf(index);
     return chunks[static_cast<std::size_t>(slot.chunk)].load(
         std::memory_order_acquire)[slot.offset];
@@ -198,14 +250,54 @@ struct Dictionary::State {
       entries = new Entry[std::size_t{1} << (slot.chunk + kFirstChunkBits)];
       chunk.store(entries, std::memory_order_release);
     }
-    entries[slot.offset] = {arena.Copy(term.value), SuffixOf(term),
-                            static_cast<std::uint32_t>(term.value.size()), term.kind};
+    Entry& entry = entries[slot.offset];
+    entry.text = arena.Copy(term.value);
+    entry.suffix = SuffixOf(term);
+    entry.size = static_cast<std::uint32_t>(term.value.size());
+    entry.kind = term.kind;
     if (2 * (std::size_t{index} + 1) > tables.back()->mask) {
       NewTable(2 * (tables.back()->mask + 1));
     }
     size.store(index + 1, std::memory_order_release);
+    const TermId id{index + 1};
+    if (term.kind == TermKind::kLiteral) NoteValue(term, id);
     tables.back()->Insert(std::uint64_t{hash} << 32 | (index + 1));
-    return TermId{index + 1};
+    return id;
+  }
+
+  auto value_of() const {
+    return [this](TermId id) {
+      return ValueOf(ViewOf(At(static_cast<std::uint32_t>(id) - 1))).value_or(DataValue{});
+    };
+  }
+
+  // Plain text is its own value and far the most frequent: it is looked for only by, and beside,
+  // text of derived datatypes.
+  void NoteValue(const TermView& term, TermId id) {
+    const bool is_plain = term.datatype.empty();
+    if (is_plain && !has_derived_text) return;
+    const auto value = ValueOf(term);
+    if (!value) return;
+    if (value->space == DataValue::Space::kText && !is_plain) {
+      has_derived_text = true;
+      const std::size_t split = value->canonical.find('\0');
+      const std::string_view text = value->canonical;
+      const TermView plain{TermKind::kLiteral, text.substr(split + 1), {}, text.substr(0, split)};
+      if (const auto known = Find(plain, HashOf(plain))) values.Insert(*value, *known, value_of());
+    }
+    const TermId first = values.Insert(*value, id, value_of());
+    if (first != id) NoteTwin(first, id);
+  }
+  void NoteTwin(TermId first, TermId id) {
+    {
+      const std::unique_lock lock(twins_mutex);
+      std::vector<TermId>& twins = twins_of[first];
+      if (twins.empty()) twins.push_back(first);
+      twins.push_back(id);
+      first_of[id] = first;
+    }
+    At(static_cast<std::uint32_t>(first) - 1).has_twins.store(true, std::memory_order_release);
+    At(static_cast<std::uint32_t>(id) - 1).has_twins.store(true, std::memory_order_release);
   }
 };
 
@@ -230,6 +322,20 @@ TermView Dictionary::Get(TermId id) const { return ViewOf(state_->Known(id)); }
 
 TermKind Dictionary::Kind(TermId id) const { return state_->Known(id).kind; }
 
+TermId Dictionary::SameValue(TermId id) const {
+  if (!state_->Known(id).has_twins.load(std::memory_order_acquire)) return id;
+  const std::shared_lock lock(state_->twins_mutex);
+  const auto first = state_->first_of.find(id);
+  return first == state_->first_of.end() ? id : first->second;
+}
+
+std::vector<TermId> Dictionary::ValueTwins(TermId id) const {
+  if (!state_->Known(id).has_twins.load(std::memory_order_acquire)) return {};
+  const std::shared_lock lock(state_->twins_mutex);
+  const auto first = state_->first_of.find(id);
+  return state_->twins_of.at(first == state_->first_of.end() ? id : first->second);
+}
+
 std::size_t Dictionary::size() const { return state_->size.load(std::memory_order_acquire); }
 
 std::size_t Dictionary::memory_bytes() const {
@@ -241,6 +347,7 @@ std::size_t Dictionary::memory_bytes() const {
       bytes += sizeof(Entry) << (k + kFirstChunkBits);
     }
   }
+  bytes += state_->values.bytes();
   for (const auto& table : state_->tables) bytes += table->slots.size() * sizeof(std::uint64_t);
   for (const Suffix& suffix : state_->suffixes) {
     bytes += sizeof(Suffix) + suffix.datatype.size() + suffix.language.size();

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "ontology/rdf/term.h"
 
@@ -35,6 +36,11 @@ class Dictionary {
   TermView Get(TermId id) const;
   // Get(id).kind, cheaper.
   TermKind Kind(TermId id) const;
+  // The first literal given an id that denotes the same data value (ontology/rdf/literal_value.h);
+  // `id` itself when it is no literal, has no known value, or is the first.
+  TermId SameValue(TermId id) const;
+  // All literals of one value, `id` among them, oldest first; empty when it is alone in its value.
+  std::vector<TermId> ValueTwins(TermId id) const;
   // How many terms there are: ids run from 1 to size().
   std::size_t size() const;
   std::size_t memory_bytes() const;  // about, without malloc's own overhead

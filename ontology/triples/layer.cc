@@ -56,6 +56,15 @@ std::vector<Triple> Union(const std::vector<Graph>& graphs) {
   return all;
 }
 
+// What representatives stand for is not stored beside them.
+void DropImplied(const Equality& equality, std::vector<Triple>& triples) {
+  std::erase_if(triples, [&](const Triple& triple) {
+    if (!equality.IsNormal(triple)) return true;
+    return triple.predicate == equality.same_as() && triple.subject == triple.object &&
+           !equality.Members(triple.subject).empty();
+  });
+}
+
 constexpr Component kS = Component::kSubject;
 constexpr Component kP = Component::kPredicate;
 constexpr Component kO = Component::kObject;
@@ -63,19 +72,27 @@ constexpr Component kO = Component::kObject;
 }  // namespace
 
 Layer::Layer(std::vector<Graph> graphs, std::vector<Triple> inferred, std::vector<Clash> clashes)
-    : Layer(std::move(graphs), Inference{std::move(inferred), std::move(clashes), 0, {}}) {}
+    : Layer(std::move(graphs), Inference{std::move(inferred), std::move(clashes), 0, {}, nullptr}) {
+}
 
-Layer::Layer(std::vector<Graph> graphs, Inference inference)
+Layer::Layer(std::vector<Graph> graphs, Inference inference, const Dictionary* dictionary)
     : graphs_(std::move(graphs)),
       clashes_(std::move(inference.clashes)),
       clash_count_(std::max(inference.clash_count, clashes_.size())),
+      equality_(std::move(inference.equality)),
       spo_(std::move(inference.inferred)) {
   for (Graph& graph : graphs_) SortAndDeduplicate(graph.triples);
   if (graphs_.size() != 1) asserted_ = Union(graphs_);
   spo_.reserve(spo_.size() + asserted().size());
   std::set_difference(asserted().begin(), asserted().end(), inference.held_below.begin(),
                       inference.held_below.end(), std::back_inserter(spo_));
+  if (equality_ != nullptr) DropImplied(*equality_, spo_);
   SortAndDeduplicate(spo_);
+  if (dictionary != nullptr) {
+    has_literal_subjects_ = std::any_of(spo_.begin(), spo_.end(), [&](const Triple& triple) {
+      return dictionary->Kind(triple.subject) == TermKind::kLiteral;
+    });
+  }
   spo_.shrink_to_fit();
   for (const Triple& triple : spo_) {
     largest_ = std::max({largest_, triple.subject, triple.predicate, triple.object});

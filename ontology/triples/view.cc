@@ -21,24 +21,85 @@ bool Asserts(const Graph& graph, const Triple& triple) {
   return std::binary_search(graph.triples.begin(), graph.triples.end(), triple);
 }
 
-// Whether a stored, asserted triple of `layer` has `term` in any place.
-bool Mentions(const Layer& layer, TermId term) {
-  for (const Pattern& pattern :
-       {Pattern{term, {}, {}}, Pattern{{}, term, {}}, Pattern{{}, {}, term}}) {
-    const auto run = layer.Range(pattern);
-    if (std::any_of(run.begin(), run.end(),
-                    [&](const Triple& triple) { return layer.IsAsserted(triple); })) {
-      return true;
-    }
-  }
-  return false;
+// Calls visit(term) for each term that `wanted` asks for where `stored` was found.
+template <typename Visit>
+bool ForEachMember(const Equality& equality, TermId wanted, TermId stored, Visit&& visit) {
+  if (wanted != kAnyTerm) return visit(wanted);
+  const std::span<const TermId> members = equality.Members(stored);
+  if (members.empty()) return visit(stored);
+  return std::all_of(members.begin(), members.end(), visit);
 }
 
 }  // namespace
 
-bool View::Contains(const Triple& triple) const {
+bool View::ContainsStored(const Triple& triple) const {
   return std::any_of(layers_.begin(), layers_.end(),
                      [&](const auto& layer) { return layer->Contains(triple); });
+}
+
+bool View::Contains(const Triple& triple) const {
+  if (has_literal_subjects_ && dictionary_->Kind(triple.subject) == TermKind::kLiteral) {
+    return false;
+  }
+  if (equality_ == nullptr) return ContainsStored(triple);
+  const Triple normal = equality_->Normal(triple);
+  if (normal.predicate == equality_->same_as() && normal.subject == normal.object &&
+      !equality_->Members(normal.subject).empty()) {
+    return triple.subject != triple.object || IsAsserted(triple);
+  }
+  return ContainsStored(normal);
+}
+
+// The pairs of equal terms themselves: no layer stores them.
+bool View::ForEachSame(const Pattern& pattern, const Visitor& visit) const {
+  const Equality& equality = *equality_;
+  const TermId same = equality.same_as();
+  if (pattern.predicate != kAnyTerm && equality.Representative(pattern.predicate) != same) {
+    return true;
+  }
+  const auto pairs_of = [&](std::span<const TermId> members) {
+    return ForEachMember(equality, pattern.predicate, same, [&](TermId p) {
+      for (const TermId s : members) {
+        if (pattern.subject != kAnyTerm && pattern.subject != s) continue;
+        for (const TermId o : members) {
+          if (pattern.object != kAnyTerm && pattern.object != o) continue;
+          if ((s != o || IsAsserted({s, p, o})) && !visit({s, p, o})) return false;
+        }
+      }
+      return true;
+    });
+  };
+  const TermId known = pattern.subject != kAnyTerm ? pattern.subject : pattern.object;
+  if (known == kAnyTerm) return equality.ForEachClass(pairs_of);
+  return pairs_of(equality.Members(equality.Representative(known)));
+}
+
+bool View::ForEachExpanded(const Pattern& pattern, const Visitor& visit, Origin origin) const {
+  const Equality& equality = *equality_;
+  const auto accept = [&](const Triple& triple) {
+    const bool is_answer = dictionary_->Kind(triple.subject) != TermKind::kLiteral &&
+                           dictionary_->Kind(triple.predicate) != TermKind::kLiteral &&
+                           (origin == Origin::kAll || IsAsserted(triple));
+    return !is_answer || visit(triple);
+  };
+  if (!ForEachSame(pattern, accept)) return false;
+  const auto normal = [&](TermId term) {
+    return term == kAnyTerm ? kAnyTerm : equality.Representative(term);
+  };
+  const Pattern stored{normal(pattern.subject), normal(pattern.predicate), normal(pattern.object)};
+  return ForEachStored(stored, [&](const Triple& triple) {
+    const bool is_of_class = triple.predicate == equality.same_as() &&
+                             triple.subject == triple.object &&
+                             !equality.Members(triple.subject).empty();
+    if (is_of_class) return true;  // ForEachSame has it
+    return ForEachMember(equality, pattern.subject, triple.subject, [&](TermId s) {
+      return ForEachMember(equality, pattern.predicate, triple.predicate, [&](TermId p) {
+        return ForEachMember(equality, pattern.object, triple.object, [&](TermId o) {
+          return accept({s, p, o});
+        });
+      });
+    });
+  });
 }
 
 bool View::IsAsserted(const Triple& triple) const {
@@ -64,9 +125,39 @@ std::size_t View::size() const {
 }
 
 std::size_t View::Estimate(const Pattern& pattern) const {
+  Pattern stored = pattern;
   std::size_t count = 0;
-  for (const auto& layer : layers_) count += layer->Range(pattern).size();
+  if (equality_ != nullptr) {
+    for (TermId* term : {&stored.subject, &stored.predicate, &stored.object}) {
+      if (*term != kAnyTerm) *term = equality_->Representative(*term);
+    }
+    if (stored.predicate == equality_->same_as()) {
+      const TermId known = stored.subject != kAnyTerm ? stored.subject : stored.object;
+      count = equality_->Members(known).size();
+    }
+  }
+  for (const auto& layer : layers_) count += layer->Range(stored).size();
   return count;
+}
+
+// Whether an asserted triple of `layer` has `term` in any place.
+bool View::IsMentioned(const Layer& layer, TermId term) const {
+  if (layer.equality() != nullptr) {
+    return std::any_of(layer.graphs().begin(), layer.graphs().end(), [&](const Graph& graph) {
+      return std::any_of(graph.triples.begin(), graph.triples.end(), [&](const Triple& triple) {
+        return triple.subject == term || triple.predicate == term || triple.object == term;
+      });
+    });
+  }
+  for (const Pattern& pattern :
+       {Pattern{term, {}, {}}, Pattern{{}, term, {}}, Pattern{{}, {}, term}}) {
+    const auto run = layer.Range(pattern);
+    if (std::any_of(run.begin(), run.end(),
+                    [&](const Triple& triple) { return layer.IsAsserted(triple); })) {
+      return true;
+    }
+  }
+  return false;
 }
 
 std::vector<Triple> View::Match(const Pattern& pattern, Origin origin) const {
@@ -107,7 +198,7 @@ std::string View::AsWritten(TermId iri) const {
         return std::string(dictionary_->Get(written->second).value);
       }
     }
-    if (Mentions(*layer, iri)) break;
+    if (IsMentioned(*layer, iri)) break;
   }
   return std::string(dictionary_->Get(iri).value);
 }

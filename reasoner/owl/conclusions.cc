@@ -2,13 +2,14 @@
 #include <string>
 
 #include "base/error.h"
+#include "ontology/rdf/literal_value.h"
 #include "reasoner/owl/engine.h"
 
 namespace lares::owl {
 namespace {
 
-std::uint64_t HashOf(const Rule& rule, const std::vector<rdf::Triple>& premises) {
-  std::uint64_t hash = rule.number;
+std::uint64_t HashOf(const std::string& rule, const std::vector<rdf::Triple>& premises) {
+  std::uint64_t hash = std::hash<std::string>()(rule);
   for (const rdf::Triple& triple : premises) {
     for (const rdf::TermId term : {triple.subject, triple.predicate, triple.object}) {
       hash = MixBits(hash * 31 + static_cast<std::uint32_t>(term));
@@ -26,48 +27,68 @@ rdf::Triple Ground(const Atom& atom, const std::vector<rdf::TermId>& binding) {
 
 void Engine::Conclude(const Frame& frame) {
   const Rule& rule = *frame.rule;
-  if (rule.is_contradiction()) return AddClash(rule, PremisesOf(frame));
-  for (const Atom& atom : rule.heads) {
-    const rdf::Triple head = Ground(atom, frame.binding);
-    if (Derive(rule, head) && options_.on_derivation) Observe(rule, head, PremisesOf(frame));
+  if (rule.is_contradiction()) return AddClash(rule.name, PremisesOf(frame));
+  for (const Atom& atom : rule.heads) ConcludeTriple(frame, Ground(atom, frame.binding));
+}
+
+// A literal is of the datatypes that hold its value, and of no other (dt-type2, dt-not-type).
+void Engine::ConcludeTriple(const Frame& frame, const rdf::Triple& head) {
+  if (head.predicate == words_.type && IsLiteral(head.subject) && IsDatatype(head.object)) {
+    if (IsInDatatype(head.subject, head.object)) return;
+    if (IsOutsideDatatype(head.subject, head.object)) {
+      std::vector<rdf::Triple> premises = PremisesOf(frame);
+      premises.push_back(head);
+      AddClash("dt-not-type", std::move(premises));
+    }
   }
+  Derive(head, frame.rule->number);
 }
 
 bool Engine::Knows(const rdf::Triple& triple) const {
-  return facts_.Has(triple) || below_.Contains(triple);
+  return facts_.Has(triple) || below_.ContainsStored(triple);
 }
 
 bool Engine::IsTrivial(const rdf::Triple& triple) const {
   const auto [s, p, o] = triple;
   if (p == words_.type) return o == words_.thing;
-  if (p == words_.sub_class_of) return s == o || o == words_.thing || s == words_.nothing;
-  return s == o && (p == words_.same_as || p == words_.equivalent_class ||
-                    p == words_.sub_property_of || p == words_.equivalent_property);
+  if (p == words_.same_as) return s == o;
+  if (p == words_.sub_class_of && (o == words_.thing || s == words_.nothing)) return true;
+  // Of several names of one thing it says that they are the same class or property.
+  const bool is_alone = s == o && equality_.Members(s).empty();
+  return is_alone && (p == words_.sub_class_of || p == words_.equivalent_class ||
+                      p == words_.sub_property_of || p == words_.equivalent_property);
 }
 
-bool Engine::IsStorable(const rdf::Triple& triple) const {
-  const auto is_literal = [this](rdf::TermId term) {
-    return dictionary_.Kind(term) == rdf::TermKind::kLiteral;
-  };
-  return !is_literal(triple.subject) && !is_literal(triple.predicate) &&
-         !(triple.predicate == words_.same_as && is_literal(triple.object));
+// Literals of different values are never made one: that they would be is the contradiction.
+void Engine::ConcludeSame(const rdf::Triple& same) {
+  if (IsLiteral(same.subject) && IsLiteral(same.object)) {
+    const auto first = rdf::ValueOf(dictionary_.Get(same.subject));
+    const auto second = rdf::ValueOf(dictionary_.Get(same.object));
+    if (first && second) {
+      if (*first != *second) AddClash("eq-diff1", {same});
+      return;
+    }
+  }
+  pending_classes_.emplace_back(same.subject, same.object);
 }
 
-// True when `head` is new.
-bool Engine::Derive(const Rule& rule, const rdf::Triple& head) {
+// `head` becomes known, by representatives.
+void Engine::Derive(const rdf::Triple& head, std::uint32_t origin) {
   CheckStop();
-  if (IsTrivial(head) || Knows(head) || !IsStorable(head)) return false;
+  const rdf::Triple normal = equality_.empty() ? head : equality_.Normal(head);
+  if (normal.predicate == words_.same_as && normal.subject != normal.object) {
+    return ConcludeSame(normal);
+  }
+  // What is stored though it is trivial was asserted.
+  const bool is_trivial = origin != kRewritten && IsTrivial(normal);
+  if (is_trivial || Knows(normal) || IsLiteral(normal.predicate)) return;
   if (facts_.size() - asserted_ >= options_.max_inferred) {
     throw Error(Code::kTooLarge,
                 "more than " + std::to_string(options_.max_inferred) + " triples follow")
         .WithHint("a transitive or equality axiom may join more than it was meant to");
   }
-  return facts_.Add(head, rule.number);
-}
-
-void Engine::Observe(const Rule& rule, const rdf::Triple& head,
-                     std::span<const rdf::Triple> premises) const {
-  options_.on_derivation({rule.name, head, premises});
+  has_literal_subjects_ = has_literal_subjects_ || IsLiteral(normal.subject);
+  facts_.Add(normal, origin);
 }
 
 std::vector<rdf::Triple> Engine::PremisesOf(const Frame& frame) const {
@@ -80,11 +101,26 @@ std::vector<rdf::Triple> Engine::PremisesOf(const Frame& frame) const {
   return premises;
 }
 
-void Engine::AddClash(const Rule& rule, std::vector<rdf::Triple> premises) {
+void Engine::AddClash(const std::string& rule, std::vector<rdf::Triple> premises) {
   std::vector<rdf::Triple> sorted = premises;
   std::sort(sorted.begin(), sorted.end());
   if (!clash_keys_.Insert(HashOf(rule, sorted))) return;
-  if (clashes_.size() < options_.max_clashes) clashes_.push_back({rule.name, std::move(premises)});
+  if (clashes_.size() < options_.max_clashes) clashes_.push_back({rule, std::move(premises)});
+}
+
+// By representatives, each once: one may have been found before its terms were known to be the
+// same.
+std::vector<rdf::Clash> Engine::TakeClashes() {
+  FlatSet seen;
+  std::erase_if(clashes_, [&](rdf::Clash& clash) {
+    for (rdf::Triple& premise : clash.premises) {
+      if (premise.predicate != words_.same_as) premise = equality_.Normal(premise);
+    }
+    std::vector<rdf::Triple> sorted = clash.premises;
+    std::sort(sorted.begin(), sorted.end());
+    return has_new_equality_ && !seen.Insert(HashOf(clash.rule, sorted));
+  });
+  return std::move(clashes_);
 }
 
 }  // namespace lares::owl

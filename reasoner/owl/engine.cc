@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "base/error.h"
+#include "ontology/rdf/literal_value.h"
 #include "reasoner/owl/frame_scope.h"
 
 namespace lares::owl {
@@ -24,9 +25,18 @@ Engine::Engine(const rdf::View& below, const Options& options, std::stop_token s
       dictionary_(below.dictionary()),
       words_(dictionary_),
       rules_(CompileRules(RuleTable(), dictionary_)),
-      is_live_(rules_.size() + 1, false) {
-  for (const Rule& rule : rules_) PrepareRule(rule);
+      is_live_(rules_.size() + 1, false),
+      equality_(below.equality() != nullptr ? *below.equality()
+                                            : rdf::Equality(dictionary_, words_.same_as)) {
+  for (const std::string_view datatype : rdf::SupportedDatatypes()) {
+    datatypes_.Insert(Number(dictionary_.InternIri(datatype)));
+  }
+  for (const Rule& rule : rules_) {
+    if (!rule.is_equality) PrepareRule(rule);
+  }
   PrepareLists();
+  PrepareAxioms();
+  is_prepared_ = true;
 }
 
 void Engine::PrepareRule(const Rule& rule) {
@@ -75,11 +85,42 @@ void Engine::PrepareLists() {
   }
 }
 
+// What is true without premises, where rules may look for it.
+void Engine::PrepareAxioms() {
+  for (const AxiomRow& row : AxiomTable()) {
+    const auto intern = [&](const char* name) { return dictionary_.InternIri(Expand(name)); };
+    const rdf::Triple axiom{intern(row.subject), words_.type, intern(row.object)};
+    if (!below_.ContainsStored(axiom)) facts_.Add(axiom, kHidden);
+  }
+  // Rules below that ask for literals by their datatype alone.
+  for (const std::string_view datatype : rdf::SupportedDatatypes()) {
+    const rdf::TermId term = dictionary_.InternIri(datatype);
+    if (below_.Estimate({term, {}, {}}) > 0) Activate({KeyKind::kClass, term});
+  }
+}
+
 void Engine::Run(std::span<const rdf::Triple> asserted) {
   for (const rdf::Triple& triple : asserted) {
-    if (!below_.Contains(triple) && facts_.Add(triple, 0)) ++asserted_;
+    const rdf::Triple normal = equality_.Normal(triple);
+    if (normal.predicate == words_.same_as && normal.subject != normal.object) {
+      pending_classes_.emplace_back(normal.subject, normal.object);
+    } else if (!below_.ContainsStored(normal) && facts_.Add(normal, 0)) {
+      ++asserted_;
+    }
   }
-  while (facts_.published() < facts_.size()) Process(facts_.Publish());
+  RunToEnd();
+}
+
+void Engine::RunToEnd() {
+  while (true) {
+    if (!pending_classes_.empty()) {
+      JoinPendingClasses();
+    } else if (facts_.published() < facts_.size()) {
+      Process(facts_.Publish());
+    } else {
+      return;
+    }
+  }
 }
 
 void Engine::SettleLists() {
@@ -105,6 +146,7 @@ void Engine::Process(std::size_t index) {
   CheckStop();
   const rdf::Triple triple = facts_.At(index);
   const std::uint32_t origin = facts_.OriginOf(index);
+  if (has_new_equality_ && !equality_.IsNormal(triple)) return Derive(triple, kRewritten);
   FireKey({KeyKind::kPredicate, triple.predicate}, triple, origin);
   if (triple.predicate == words_.type) FireKey({KeyKind::kClass, triple.object}, triple, origin);
   const auto is_live = [this](KeyKind kind) {
@@ -114,6 +156,8 @@ void Engine::Process(std::size_t index) {
   if (is_live(KeyKind::kObject)) FireKey({KeyKind::kObject, triple.object}, triple, origin);
   const KeyState& state = StateOf({KeyKind::kPredicate, triple.predicate});
   if (state.closure != nullptr) AddEdge(state, triple);
+  if (triple.predicate == words_.type) CheckType(triple);
+  if (!watched_datatypes_.empty() && IsLiteral(triple.object)) TypeWatched(triple.object);
   if (lists_are_settled_ && IsListCell(triple)) ReadListAgain(triple);
 }
 

@@ -27,6 +27,10 @@ namespace lares::owl {
 //   – a data pattern of an instance: the remaining data patterns are joined.
 // Instances whose schema lies in the layers below are made when a triple with their key first
 // arrives, so that a small layer over a large catalogue costs little.
+//
+// Every triple is by representatives. When two classes of equal terms join, the triples that name
+// the one that represents no longer are written anew, and the old ones count no more: whatever an
+// instance or a join under way still takes from them is rewritten in its conclusion.
 class Engine {
  public:
   Engine(const rdf::View& below, const Options& options, std::stop_token stop);
@@ -37,6 +41,11 @@ class Engine {
   // cells of lists, then SettleLists(), then with all else; cheapest when schema comes before data.
   // Throws kTooLarge, kTimeout.
   void Run(std::span<const rdf::Triple> asserted);
+  // To be told of each literal of the graphs: it may be of a value that is the same as a term
+  // below.
+  void NoteLiteral(rdf::TermId literal) {
+    if (equality_.AddTwin(literal)) has_new_equality_ = true;
+  }
   // Lists are whole now: those of the layers below that have grown are read again, and from here on
   // every list to which a cell is added.
   void SettleLists();
@@ -47,12 +56,27 @@ class Engine {
   // Whether `triple` is schema to some rule.
   bool IsSchema(const rdf::Triple& triple) const;
 
-  // Triples in order of arrival; origin 0 marks asserted ones.
+  // Triples in order of arrival; origin 0 marks asserted ones. Those that count no more are among
+  // them.
   const Facts& facts() const { return facts_; }
-  std::vector<rdf::Clash> TakeClashes() { return std::move(clashes_); }
+  // Whether `fact` is for a layer to store.
+  bool IsForLayer(std::size_t index) const {
+    return facts_.OriginOf(index) != kHidden && equality_.IsNormal(facts_.At(index));
+  }
+  // Of the layers below and what was found since.
+  const rdf::Equality& equality() const { return equality_; }
+  bool has_new_equality() const { return has_new_equality_; }
+  bool has_literal_subjects() const { return has_literal_subjects_; }
+  std::vector<rdf::Clash> TakeClashes();
   std::size_t clash_count() const { return clash_keys_.size(); }
 
  private:
+  // Origins of facts that no single rule number says: true without premises and not stored; written
+  // anew by representatives; dt-type2.
+  static constexpr std::uint32_t kHidden = UINT32_MAX;
+  static constexpr std::uint32_t kRewritten = UINT32_MAX - 1;
+  static constexpr std::uint32_t kOfDatatype = UINT32_MAX - 2;
+
   enum class KeyKind : std::uint8_t { kPredicate, kClass, kSubject, kObject };
   static constexpr std::size_t kKeyKinds = 4;
   // What to do when all patterns of a join are satisfied.
@@ -99,6 +123,8 @@ class Engine {
   // engine.cc
   void PrepareRule(const Rule& rule);
   void PrepareLists();
+  void PrepareAxioms();
+  void RunToEnd();
   void Process(std::size_t index);
   void FireKey(const Key& key, const rdf::Triple& triple, std::uint32_t origin);
   void Fire(const Trigger& trigger, const rdf::Triple& triple);
@@ -108,8 +134,22 @@ class Engine {
 
   // join.cc
   bool Unify(const Atom& atom, const rdf::Triple& triple, std::vector<rdf::TermId>& binding) const;
+  bool IsNumber(rdf::TermId term, int number) const;
+  bool UnifySlot(const Slot& slot, rdf::TermId term, std::vector<rdf::TermId>& binding) const;
   void Join(Frame& frame, std::size_t depth);
   std::size_t BestNext(const Frame& frame, std::size_t depth) const;
+  // Calls visit(triple) for each known match that counts. `visit` may add facts.
+  template <typename Visit>
+  void ForEachKnown(const rdf::Pattern& pattern, Visit&& visit) {
+    const auto visit_live = [&](const rdf::Triple& triple) {
+      if (!has_new_equality_ || equality_.IsNormal(triple)) visit(triple);
+      return true;
+    };
+    facts_.ForEach(pattern, visit_live);
+    below_.ForEachStored(pattern, visit_live);
+  }
+  void ForEachSame(const rdf::Pattern& pattern,
+                   const std::function<void(const rdf::Triple&)>& visit);
   std::vector<rdf::Triple> Match(const rdf::Pattern& pattern);
   std::vector<rdf::TermId> Objects(rdf::TermId subject, rdf::TermId predicate);
 
@@ -128,14 +168,33 @@ class Engine {
 
   // conclusions.cc
   void Conclude(const Frame& frame);
+  void ConcludeTriple(const Frame& frame, const rdf::Triple& head);
   bool Knows(const rdf::Triple& triple) const;
   bool IsTrivial(const rdf::Triple& triple) const;
-  bool IsStorable(const rdf::Triple& triple) const;
-  bool Derive(const Rule& rule, const rdf::Triple& head);
-  void Observe(const Rule& rule, const rdf::Triple& head,
-               std::span<const rdf::Triple> premises) const;
+  bool IsLiteral(rdf::TermId term) const {
+    return dictionary_.Kind(term) == rdf::TermKind::kLiteral;
+  }
+  void ConcludeSame(const rdf::Triple& same);
+  void Derive(const rdf::Triple& head, std::uint32_t origin);
   std::vector<rdf::Triple> PremisesOf(const Frame& frame) const;
-  void AddClash(const Rule& rule, std::vector<rdf::Triple> premises);
+  void AddClash(const std::string& rule, std::vector<rdf::Triple> premises);
+
+  // merging.cc
+  void JoinPendingClasses();
+  void JoinClasses(rdf::TermId a, rdf::TermId b);
+  void RewriteTriplesOf(rdf::TermId term);
+  void ConcludeReflexive(rdf::TermId term);
+
+  // datatypes.cc
+  bool IsDatatype(rdf::TermId term) const { return datatypes_.Contains(Number(term)); }
+  bool IsInDatatype(rdf::TermId literal, rdf::TermId datatype) const;
+  bool IsOutsideDatatype(rdf::TermId literal, rdf::TermId datatype) const;
+  bool IsTypedByDatatypes(const Rule& rule, const std::vector<rdf::TermId>& binding) const;
+  void WatchDatatype(rdf::TermId datatype);
+  void TypeWatched(rdf::TermId literal);
+  void CheckType(const rdf::Triple& triple);
+  void CheckValuesOf(rdf::TermId representative);
+  static std::uint64_t Number(rdf::TermId term) { return static_cast<std::uint32_t>(term); }
 
   const rdf::View& below_;
   const Options& options_;
@@ -147,6 +206,16 @@ class Engine {
   std::vector<bool> is_live_;       // by rule number: its schema may be satisfied at all
   std::array<std::vector<Waiting>, kKeyKinds> waiting_;
   std::array<bool, kKeyKinds> kind_is_live_{true, true, false, false};
+
+  rdf::Equality equality_;
+  bool has_new_equality_ = false;  // over that of the layers below
+  std::vector<std::pair<rdf::TermId, rdf::TermId>> pending_classes_;  // to be joined
+  FlatSet datatypes_;                                                 // that the rules know
+  std::vector<rdf::TermId> watched_datatypes_;  // a rule asks for all their literals
+  FlatSet scanned_datatypes_;                   // the layers below were searched for them
+  FlatSet typed_literals_;                      // by watched datatypes
+  bool is_prepared_ = false;
+  bool has_literal_subjects_ = false;
 
   Facts facts_;
   FlatSet schema_keys_;

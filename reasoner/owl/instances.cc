@@ -80,7 +80,9 @@ void Engine::MakeInstance(const Rule& rule, const std::vector<rdf::TermId>& bind
                           std::uint32_t cells, bool always_waits, bool evaluate) {
   for (std::uint32_t i = 0; i < rule.data.size(); ++i) {
     const Key key = KeyOf(rule, rule.data[i], binding);
-    if (always_waits || StateOf(key).is_active) Wait({&rule, i, false, 0, cells}, key, binding);
+    const bool is_of_datatype = key.kind == KeyKind::kClass && IsDatatype(key.term);
+    if (always_waits || is_of_datatype || StateOf(key).is_active)
+      Wait({&rule, i, false, 0, cells}, key, binding);
   }
   if (!evaluate) return;
   const FrameScope scope(*this);
@@ -145,6 +147,10 @@ void Engine::Wait(const Trigger& trigger, const Key& key, const std::vector<rdf:
   bindings_.insert(bindings_.end(), binding.begin(), binding.end());
   kind_is_live_[static_cast<std::size_t>(key.kind)] = true;
   StateOf(key).triggers.push_back(waiting);
+  if (key.kind == KeyKind::kClass && !trigger.is_schema && IsDatatype(key.term) &&
+      IsTypedByDatatypes(*trigger.rule, binding)) {
+    WatchDatatype(key.term);
+  }
 }
 
 void Engine::StartClosure(const Rule& rule, rdf::TermId property, bool below_is_closed) {
@@ -159,17 +165,12 @@ void Engine::StartClosure(const Rule& rule, rdf::TermId property, bool below_is_
 void Engine::AddEdge(const KeyState& state, const rdf::Triple& triple) {
   const rdf::TermId p = triple.predicate;
   const Rule& rule = *state.closure_rule;
-  state.closure->AddEdge(
-      triple.subject, triple.object, [&](rdf::TermId u, rdf::TermId by, rdf::TermId v) {
-        if (!Derive(rule, {u, p, v}) || !options_.on_derivation) return;
-        std::vector<rdf::Triple> premises = {{u, p, by}, {by, p, v}};
-        for (const Atom& atom : rule.schema) {
-          // Its only variable is the property.
-          premises.insert(premises.begin(),
-                          {p, rdf::TermId{atom.predicate.value}, rdf::TermId{atom.object.value}});
-        }
-        Observe(rule, {u, p, v}, premises);
-      });
+  // Literals of one value are one node.
+  const rdf::TermId x = dictionary_.SameValue(triple.subject);
+  const rdf::TermId y = dictionary_.SameValue(triple.object);
+  state.closure->AddEdge(x, y, [&](rdf::TermId u, rdf::TermId v) {
+    Derive({u, p, v}, rule.number);
+  });
 }
 
 }  // namespace lares::owl

@@ -13,11 +13,11 @@ struct Asserted {
   std::vector<rdf::Triple> list_cells, schema, data, held_below;
 };
 
-Asserted Arrange(const std::vector<rdf::Graph>& graphs, const rdf::View& below,
-                 const Engine& engine) {
+Asserted Arrange(const std::vector<rdf::Graph>& graphs, const rdf::View& below, Engine& engine) {
   Asserted asserted;
   for (const rdf::Graph& graph : graphs) {
     for (const rdf::Triple& triple : graph.triples) {
+      engine.NoteLiteral(triple.object);
       if (below.Contains(triple)) {
         asserted.held_below.push_back(triple);
       } else if (engine.IsListCell(triple)) {
@@ -35,7 +35,9 @@ std::vector<rdf::Triple> Inferred(const Engine& engine) {
   std::vector<rdf::Triple> inferred;
   const Facts& facts = engine.facts();
   for (std::size_t i = 0; i < facts.size(); ++i) {
-    if (facts.OriginOf(i) != 0) inferred.push_back(facts.At(i));
+    // By representatives, what is asserted may be another triple.
+    const bool is_known = facts.OriginOf(i) == 0 && engine.equality().empty();
+    if (!is_known && engine.IsForLayer(i)) inferred.push_back(facts.At(i));
   }
   return inferred;
 }
@@ -53,10 +55,15 @@ std::shared_ptr<const rdf::Layer> Materialise(const rdf::View& below,
   engine.Run(asserted.data);
   rdf::Inference inference;
   inference.inferred = Inferred(engine);
-  inference.clashes = engine.TakeClashes();
   inference.clash_count = engine.clash_count();
+  inference.clashes = engine.TakeClashes();
   inference.held_below = std::move(asserted.held_below);
-  return std::make_shared<const rdf::Layer>(std::move(graphs), std::move(inference));
+  inference.equality = engine.has_new_equality()
+                           ? std::make_shared<const rdf::Equality>(engine.equality())
+                           : below.shared_equality();
+  return std::make_shared<const rdf::Layer>(
+      std::move(graphs), std::move(inference),
+      engine.has_literal_subjects() ? &below.dictionary() : nullptr);
 }
 
 }  // namespace lares::owl

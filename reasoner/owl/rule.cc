@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 #include "base/error.h"
 #include "base/text.h"
+#include "ontology/rdf/literal_value.h"
 #include "ontology/rdf/vocabulary.h"
 
 namespace lares::owl {
@@ -149,36 +149,22 @@ std::vector<Rule> CompileRules(std::span<const RuleRow> rows, rdf::Dictionary& d
     Rule& rule = rules.back();
     rule.number = static_cast<std::uint32_t>(rules.size());
     // scm-sco and scm-spo see to what these would find in a second step.
+    rule.is_equality =
+        rule.name == "eq-sym" || rule.name == "eq-trans" || rule.name.starts_with("eq-rep-");
     rule.is_self_closed = rule.name == "cax-sco" || rule.name == "prp-spo1";
   }
   return rules;
 }
 
 bool HasValue(const rdf::TermView& literal, int value) {
-  constexpr std::array<std::string_view, 14> kNumeric = {"nonNegativeInteger",
-                                                         "integer",
-                                                         "int",
-                                                         "long",
-                                                         "short",
-                                                         "byte",
-                                                         "decimal",
-                                                         "unsignedInt",
-                                                         "unsignedLong",
-                                                         "unsignedShort",
-                                                         "unsignedByte",
-                                                         "double",
-                                                         "float",
-                                                         "positiveInteger"};
-  if (literal.kind != rdf::TermKind::kLiteral || !literal.datatype.starts_with(rdf::kXsd)) {
-    return false;
-  }
-  const std::string_view type = literal.datatype.substr(rdf::kXsd.size());
-  if (std::find(kNumeric.begin(), kNumeric.end(), type) == kNumeric.end()) return false;
-  std::string_view text = Trim(literal.value);
-  if (text.starts_with('+')) text.remove_prefix(1);
-  int found = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), found);
-  return error == std::errc() && end == text.data() + text.size() && found == value;
+  using Space = rdf::DataValue::Space;
+  if (literal.kind != rdf::TermKind::kLiteral) return false;
+  rdf::TermView trimmed = literal;
+  trimmed.value = Trim(literal.value);
+  const auto known = rdf::ValueOf(trimmed);
+  const bool is_number = known && (known->space == Space::kDecimal ||
+                                   known->space == Space::kDouble || known->space == Space::kFloat);
+  return is_number && known->canonical == std::to_string(value);
 }
 
 }  // namespace lares::owl

@@ -35,6 +35,16 @@ struct RuleRow {
 // All rows, in the order of the tables.
 std::span<const RuleRow> RuleTable();
 
+// What is true without premises: ?subject a ?object. Names as in RuleRow.
+struct AxiomRow {
+  const char* name;  // "cls-thing"
+  int table;
+  const char* subject;
+  const char* object;
+};
+// cls-thing, cls-nothing1 and prp-ap; dt-type1 is rdf::SupportedDatatypes().
+std::span<const AxiomRow> AxiomTable();
+
 // A constant, or the number of a variable.
 struct Slot {
   bool is_variable = false;
@@ -69,6 +79,8 @@ struct Rule {
   std::uint32_t list = 0, first_member = 0, second_member = 0;  // variables
   // x P y, y P z → x P z: run by TransitiveClosure.
   bool is_transitive = false;
+  // eq-sym, eq-trans, eq-rep-*: what representatives (rdf::Equality) stand for.
+  bool is_equality = false;
   // What it concludes need not be fed to it again, for its schema patterns are themselves closed.
   bool is_self_closed = false;
 
@@ -84,7 +96,7 @@ struct Vocabulary {
 
 std::vector<Rule> CompileRules(std::span<const RuleRow> rows, rdf::Dictionary& dictionary);
 
-// Whether `literal` is an integer of that value, written with a numeric XSD datatype.
+// Whether `literal` has a numeric datatype and that value; blanks around it are overlooked.
 bool HasValue(const rdf::TermView& literal, int value);
 
 // "rdf:type" and the like, or the whole IRI.

@@ -1,8 +1,11 @@
 // The rules of W3C OWL 2 Profiles (2012), section 4.3, tables 4 to 9.
 //
-// Reflexive and trivial conclusions are not stored (see IsTrivial in engine.cc), so eq-ref,
-// scm-cls, scm-op and scm-dp have nothing to add here; where another rule would use such a premise,
-// a second row of the same name does without it.
+// Reflexive and trivial conclusions are not stored (see IsTrivial in conclusions.cc) but hold on
+// demand (on_demand.h), so eq-ref, scm-cls, scm-op and scm-dp have nothing to add here; where
+// another rule would use such a premise, a second row of the same name does without it. The engine
+// does without eq-sym, eq-trans and eq-rep-*: it keeps one representative of what is the same.
+// Those of table 8, and of table 6 what is true without premises, are in datatypes.cc and
+// on_demand.cc.
 #include <array>
 
 #include "reasoner/owl/rule.h"
@@ -88,6 +91,12 @@ constexpr RuleRow kRules[] = {
      "?y a ?c . ?y a ?d", ""},
 
     // Table 9: schema vocabulary.
+    {"scm-cls", 9, "", "?c owl:sameAs ?d . ?c a owl:Class",
+     "?c rdfs:subClassOf ?d . ?c owl:equivalentClass ?d"},
+    {"scm-op", 9, "", "?p owl:sameAs ?q . ?p a owl:ObjectProperty",
+     "?p rdfs:subPropertyOf ?q . ?p owl:equivalentProperty ?q"},
+    {"scm-dp", 9, "", "?p owl:sameAs ?q . ?p a owl:DatatypeProperty",
+     "?p rdfs:subPropertyOf ?q . ?p owl:equivalentProperty ?q"},
     {"scm-sco", 9, "", "?c rdfs:subClassOf ?d . ?d rdfs:subClassOf ?e", "?c rdfs:subClassOf ?e"},
     {"scm-eqc1", 9, "", "?c owl:equivalentClass ?d",
      "?c rdfs:subClassOf ?d . ?d rdfs:subClassOf ?c"},
@@ -138,8 +147,24 @@ constexpr RuleRow kRules[] = {
     {"scm-uni", 9, "?c owl:unionOf ?l . ?l LIST ?d", "", "?d rdfs:subClassOf ?c"},
 };
 
+constexpr AxiomRow kAxioms[] = {
+    {"prp-ap", 5, "rdfs:label", "owl:AnnotationProperty"},
+    {"prp-ap", 5, "rdfs:comment", "owl:AnnotationProperty"},
+    {"prp-ap", 5, "rdfs:seeAlso", "owl:AnnotationProperty"},
+    {"prp-ap", 5, "rdfs:isDefinedBy", "owl:AnnotationProperty"},
+    {"prp-ap", 5, "owl:deprecated", "owl:AnnotationProperty"},
+    {"prp-ap", 5, "owl:versionInfo", "owl:AnnotationProperty"},
+    {"prp-ap", 5, "owl:priorVersion", "owl:AnnotationProperty"},
+    {"prp-ap", 5, "owl:backwardCompatibleWith", "owl:AnnotationProperty"},
+    {"prp-ap", 5, "owl:incompatibleWith", "owl:AnnotationProperty"},
+    {"cls-thing", 6, "owl:Thing", "owl:Class"},
+    {"cls-nothing1", 6, "owl:Nothing", "owl:Class"},
+};
+
 }  // namespace
 
 std::span<const RuleRow> RuleTable() { return kRules; }
+
+std::span<const AxiomRow> AxiomTable() { return kAxioms; }
 
 }  // namespace lares::owl

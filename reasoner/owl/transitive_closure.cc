@@ -19,8 +19,36 @@ std::uint32_t TransitiveClosure::NodeOf(rdf::TermId term) {
   return node - 1;
 }
 
+// Calls visit(x, y) for the pairs of `below`, each node by the first literal of its value.
+template <typename Visit>
+void TransitiveClosure::ForEachBelow(rdf::TermId x, rdf::TermId y, Visit&& visit) const {
+  const rdf::Dictionary& dictionary = below_.dictionary();
+  const auto names = [&](rdf::TermId node) {
+    std::vector<rdf::TermId> twins;
+    if (node != rdf::kAnyTerm) twins = dictionary.ValueTwins(node);
+    if (twins.empty()) twins.push_back(node);
+    return twins;
+  };
+  for (const rdf::TermId subject : names(x)) {
+    for (const rdf::TermId object : names(y)) {
+      below_.ForEachStored({subject, property_, object}, [&](const rdf::Triple& triple) {
+        visit(dictionary.SameValue(triple.subject), dictionary.SameValue(triple.object));
+        return true;
+      });
+    }
+  }
+}
+
 bool TransitiveClosure::Reaches(rdf::TermId x, rdf::TermId y) const {
-  return pairs_.Contains(KeyOf(x, y)) || (below_is_closed_ && below_.Contains({x, property_, y}));
+  if (pairs_.Contains(KeyOf(x, y))) return true;
+  if (!below_is_closed_) return false;
+  if (below_.ContainsStored({x, property_, y})) return true;
+  bool is_below = false;
+  const rdf::Dictionary& dictionary = below_.dictionary();
+  if (!dictionary.ValueTwins(x).empty() || !dictionary.ValueTwins(y).empty()) {
+    ForEachBelow(x, y, [&](rdf::TermId, rdf::TermId) { is_below = true; });
+  }
+  return is_below;
 }
 
 void TransitiveClosure::Insert(rdf::TermId x, rdf::TermId y) {
@@ -36,7 +64,7 @@ std::vector<rdf::TermId> TransitiveClosure::SourcesOf(rdf::TermId x, rdf::TermId
   };
   for (const rdf::TermId u : predecessors_[NodeOf(x)]) add(u);
   if (below_is_closed_) {
-    for (const rdf::TermId u : below_.Subjects(property_, x)) add(u);
+    ForEachBelow(rdf::kAnyTerm, x, [&](rdf::TermId u, rdf::TermId) { add(u); });
   }
   return sources;
 }
@@ -46,7 +74,7 @@ std::vector<rdf::TermId> TransitiveClosure::TargetsOf(rdf::TermId y) {
   const std::vector<rdf::TermId>& beyond = successors_[NodeOf(y)];
   targets.insert(targets.end(), beyond.begin(), beyond.end());
   if (below_is_closed_) {
-    for (const rdf::TermId v : below_.Objects(y, property_)) targets.push_back(v);
+    ForEachBelow(y, rdf::kAnyTerm, [&](rdf::TermId, rdf::TermId v) { targets.push_back(v); });
   }
   return targets;
 }

@@ -19,8 +19,8 @@ class TransitiveClosure {
   TransitiveClosure(rdf::TermId property, const rdf::View& below, bool below_is_closed)
       : property_(property), below_(below), below_is_closed_(below_is_closed) {}
 
-  // Makes x → y an edge and calls emit(u, by, v) for each other pair u → v that follows and did not
-  // before; it follows from u → by and by → v, which were edges or emitted earlier.
+  // Makes x → y an edge and calls emit(u, v) for each other pair u → v that follows and did not
+  // before.
   template <typename Emit>
   void AddEdge(rdf::TermId x, rdf::TermId y, Emit&& emit) {
     if (Reaches(x, y)) return;
@@ -30,11 +30,7 @@ class TransitiveClosure {
       for (const rdf::TermId v : targets) {
         if (Reaches(u, v)) continue;
         Insert(u, v);
-        if (v != y) {
-          emit(u, y, v);
-        } else if (u != x) {
-          emit(u, x, v);
-        }
+        if (v != y || u != x) emit(u, v);
       }
     }
   }
@@ -44,6 +40,8 @@ class TransitiveClosure {
   std::vector<rdf::TermId> SourcesOf(rdf::TermId x, rdf::TermId y);
   // y, and what y reaches.
   std::vector<rdf::TermId> TargetsOf(rdf::TermId y);
+  template <typename Visit>
+  void ForEachBelow(rdf::TermId x, rdf::TermId y, Visit&& visit) const;
   bool Reaches(rdf::TermId x, rdf::TermId y) const;
   void Insert(rdf::TermId x, rdf::TermId y);
   std::uint32_t NodeOf(rdf::TermId term);

@@ -27,56 +27,59 @@ std::span<const rdf::Triple> SubjectRun(const std::vector<rdf::Triple>& triples,
 
 Cursor::Cursor(std::shared_ptr<const rdf::View> view, const rdf::Pattern& pattern,
                rdf::Origin origin)
-    : view_(std::move(view)), pattern_(pattern), origin_(origin) {}
+    : view_(std::move(view)), pattern_(pattern), all_(std::in_place, *view_, pattern, origin) {}
 
 Cursor::Cursor(std::shared_ptr<const rdf::View> view, const rdf::Pattern& pattern,
                const rdf::Graph& graph)
     : view_(std::move(view)), pattern_(pattern), graph_(&graph) {
   if (pattern.subject != rdf::kAnyTerm) {
     run_ = SubjectRun(graph.triples, pattern.subject);
-    scans_graph_ = true;
   } else if (view_->Estimate(pattern) > graph.triples.size() / kLookupCost) {
     run_ = graph.triples;
-    scans_graph_ = true;
+  } else {
+    all_.emplace(*view_, pattern, rdf::Origin::kAll);
   }
 }
 
 bool Cursor::Accepts(const rdf::Triple& triple) const {
-  if (scans_graph_) {
+  if (!all_) {
     return Fits(pattern_.subject, triple.subject) && Fits(pattern_.predicate, triple.predicate) &&
            Fits(pattern_.object, triple.object);
   }
-  if (graph_ != nullptr) {
-    return std::binary_search(graph_->triples.begin(), graph_->triples.end(), triple);
-  }
-  return origin_ == rdf::Origin::kAll || view_->IsAsserted(triple);
+  return graph_ == nullptr ||
+         std::binary_search(graph_->triples.begin(), graph_->triples.end(), triple);
 }
 
-// Moves run_ to the next triple that is accepted; empty when there is none.
+bool Cursor::Candidate(rdf::Triple* triple) {
+  if (all_) return all_->Next(triple);
+  if (run_.empty()) return false;
+  *triple = run_.front();
+  run_ = run_.subspan(1);
+  return true;
+}
+
+// Finds the next triple that is accepted.
 void Cursor::Prefetch() {
-  if (prefetched_) return;
-  prefetched_ = true;
-  while (true) {
-    while (!run_.empty()) {
-      if (Accepts(run_.front())) return;
-      run_ = run_.subspan(1);
+  rdf::Triple triple;
+  while (!next_ && !ended_) {
+    if (!Candidate(&triple)) {
+      ended_ = true;
+    } else if (Accepts(triple)) {
+      next_ = triple;
     }
-    if (scans_graph_ || next_layer_ == view_->layers().size()) return;
-    run_ = view_->layers()[next_layer_++]->Range(pattern_);
   }
 }
 
 bool Cursor::Next(rdf::Triple* triple) {
   if (Done()) return false;
-  *triple = run_.front();
-  run_ = run_.subspan(1);
-  prefetched_ = false;
+  *triple = *next_;
+  next_.reset();
   return true;
 }
 
 bool Cursor::Done() {
   Prefetch();
-  return run_.empty();
+  return !next_.has_value();
 }
 
 const rdf::Graph* FindGraph(const rdf::View& view, std::string_view name) {

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
-#include "ontology/triples/view.h"
+#include "ontology/triples/cursor.h"
 
 namespace lares::prolog {
 
@@ -24,16 +25,16 @@ class Cursor {
 
  private:
   bool Accepts(const rdf::Triple& triple) const;
+  bool Candidate(rdf::Triple* triple);
   void Prefetch();
 
   std::shared_ptr<const rdf::View> view_;
   rdf::Pattern pattern_;
-  rdf::Origin origin_ = rdf::Origin::kAll;
   const rdf::Graph* graph_ = nullptr;
-  bool scans_graph_ = false;  // run_ is a part of graph_->triples, else of a layer
-  std::size_t next_layer_ = 0;
-  std::span<const rdf::Triple> run_;
-  bool prefetched_ = false;
+  std::optional<rdf::Cursor> all_;    // of the view; nothing when run_ is scanned
+  std::span<const rdf::Triple> run_;  // of graph_->triples
+  std::optional<rdf::Triple> next_;   // found already
+  bool ended_ = false;
 };
 
 // The graph of that name; null when the view has none.

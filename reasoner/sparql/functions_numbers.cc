@@ -1,3 +1,4 @@
+#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -83,10 +84,15 @@ std::string PlainText(const Value& value) {
   if (value.kind == Kind::kFloat || value.kind == Kind::kDouble) {
     const double size = std::fabs(value.number);
     if (size == 0) return std::signbit(value.number) ? "-0" : "0";
-    const auto exact = size >= 1e-6 && size < 1e6 ? DecimalOf(value.number) : std::nullopt;
-    return exact && value.kind == Kind::kDouble
-               ? ToText(*exact)
-               : DoubleText(value.number, value.kind == Kind::kFloat);
+    const bool is_float = value.kind == Kind::kFloat;
+    if (!(size >= 1e-6 && size < 1e6)) return DoubleText(value.number, is_float);
+    char text[64];
+    const auto format = std::chars_format::fixed;
+    char* const end = text + sizeof text;
+    const auto written = is_float
+                             ? std::to_chars(text, end, static_cast<float>(value.number), format)
+                             : std::to_chars(text, end, value.number, format);
+    return {text, written.ptr};
   }
   return std::string(value.text());
 }

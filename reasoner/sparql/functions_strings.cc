@@ -1,5 +1,8 @@
+#include <locale.h>
+#include <wctype.h>
+
+#include <cctype>
 #include <cmath>
-#include <cwctype>
 
 #include "reasoner/sparql/expression.h"
 #include "reasoner/sparql/unicode.h"
@@ -18,44 +21,15 @@ bool AreCompatible(const Value& a, const Value& b) {
          (a.kind == Kind::kLanguageString && a.term.language == b.term.language);
 }
 
-// Simple case mapping of the scripts that have one and where upper and lower stand in a fixed
-// relation: Latin, Greek, Cyrillic, Armenian.
+// Simple case mapping of Unicode, whatever the process's locale.
 char32_t Fold(char32_t c, bool to_upper) {
-  const auto between = [&](char32_t first, char32_t last) { return c >= first && c <= last; };
-  if (c < 0x80) {
-    if (to_upper && between('a', 'z')) return c - 32;
-    if (!to_upper && between('A', 'Z')) return c + 32;
-    return c;
-  }
-  if (to_upper) {
-    if (c == 0xB5) return 0x39C;
-    if (c == 0xFF) return 0x178;
-    if (c == 0x3C2) return 0x3A3;
-    if ((between(0xE0, 0xFE) && c != 0xF7) || (between(0x3B1, 0x3C9)) || between(0x430, 0x44F)) {
-      return c - 32;
-    }
-    if (between(0x450, 0x45F)) return c - 80;
-    if (between(0x561, 0x586)) return c - 48;
-  } else {
-    if (c == 0x178) return 0xFF;
-    if ((between(0xC0, 0xDE) && c != 0xD7) || (between(0x391, 0x3A9) && c != 0x3A2) ||
-        between(0x410, 0x42F)) {
-      return c + 32;
-    }
-    if (between(0x400, 0x40F)) return c + 80;
-    if (between(0x531, 0x556)) return c + 48;
-  }
-  // Pairs side by side: upper is even, or odd in two stretches.
-  const bool is_even_upper =
-      between(0x100, 0x137) || between(0x14A, 0x177) || between(0x1DE, 0x1EF) ||
-      between(0x1F8, 0x21F) || between(0x222, 0x233) || between(0x3D8, 0x3EF) ||
-      between(0x460, 0x481) || between(0x48A, 0x4BF) || between(0x4D0, 0x52F) ||
-      between(0x1E00, 0x1E95) || between(0x1EA0, 0x1EFF);
-  const bool is_odd_upper = between(0x139, 0x148) || between(0x179, 0x17E) || between(0x1CD, 0x1DC);
-  if (c == 0x130 || c == 0x131) return c;
-  if (is_even_upper) return to_upper ? c & ~1U : c | 1U;
-  if (is_odd_upper) return to_upper ? (c % 2 == 0 ? c - 1 : c) : (c % 2 == 1 ? c + 1 : c);
-  return c;
+  static const locale_t locale = newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);
+  if (locale == nullptr)
+    return c < 0x80 ? static_cast<char32_t>(to_upper ? std::toupper(static_cast<int>(c))
+                                                     : std::tolower(static_cast<int>(c)))
+                    : c;
+  const auto wide = static_cast<wint_t>(c);
+  return static_cast<char32_t>(to_upper ? towupper_l(wide, locale) : towlower_l(wide, locale));
 }
 
 std::string ChangeCase(std::string_view text, bool to_upper) {

@@ -83,14 +83,14 @@ void Parser::ParseTriplesInto(Pattern& group) {
     if (!StartsTerm() && !tokens_.Peek().Is("(") && !tokens_.Peek().Is("[")) return;
     ParseTriplesSameSubject(group);
   } while (Accept("."));
+  if (StartsTerm() || tokens_.Peek().Is("(") || tokens_.Peek().Is("[")) FailHere("'.'");
 }
 
 void Parser::ParseTriplesSameSubject(Pattern& group) {
   const Token& token = tokens_.Peek();
   if (token.Is("(") || token.Is("[")) {
-    const bool needs_list = token.Is("(");
     const Node subject = ParseTriplesNode(group);
-    if (!needs_list && !StartsVerb()) return;
+    if (!StartsVerb()) return;
     ParsePropertyList(group, subject);
     return;
   }

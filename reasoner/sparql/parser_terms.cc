@@ -114,11 +114,9 @@ std::string Parser::ParseIri() {
 }
 
 std::string Parser::ResolveReference(const Token& token) {
+  if (rdf::IsAbsoluteIri(token.text)) return std::string(token.text);
   if (query_.base_iri.empty()) {
-    if (!rdf::IsAbsoluteIri(token.text)) {
-      tokens_.Fail("the relative IRI <" + std::string(token.text) + "> needs a BASE", token.begin);
-    }
-    return std::string(token.text);
+    tokens_.Fail("the relative IRI <" + std::string(token.text) + "> needs a BASE", token.begin);
   }
   std::string iri;
   rdf::ResolveIri(token.text, query_.base_iri, iri);
@@ -159,8 +157,9 @@ Parser::Slot Parser::SlotOf(std::string_view name) {
     throw Error(Code::kTooLarge, "the query has too many variables",
                 tokens_.PlaceOf(tokens_.Peek().begin));
   }
-  query_.columns.push_back({std::string(name), false});
-  slots.emplace(std::string(name), slot);
+  const std::string kept(name);  // `name` may be a column's own, which moves now
+  query_.columns.push_back({kept, false});
+  slots.emplace(kept, slot);
   return slot;
 }
 

@@ -59,6 +59,10 @@ class Walker {
     }
   }
 
+  bool IsNode(TermId id) {
+    return source_.Estimate({id, {}, {}}) > 0 || source_.Estimate({{}, {}, id}) > 0;
+  }
+
   // Every term that is a subject or object.
   void CollectNodes(TermSet& nodes) {
     source_.ForEach({}, [&](const Triple& triple) {
@@ -157,6 +161,13 @@ bool PathStep::Step(Context& context, Row& row, Next next) {
     });
     return goes_on;
   };
+  // Between two variables a path of length zero joins the graph's own nodes only (18.4).
+  const bool has_zero = path.kind == Path::Kind::kZeroOrMore || path.kind == Path::Kind::kZeroOrOne;
+  const TermId known = from != kAnyTerm ? from : to;
+  if (has_zero && subject.is_variable() && object.is_variable() && known != kAnyTerm &&
+      !walker.IsNode(known)) {
+    return true;
+  }
   if (from != kAnyTerm) return walk_from(from, false, object, to);
   if (to != kAnyTerm) return walk_from(to, true, subject, kAnyTerm);
 

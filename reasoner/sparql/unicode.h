@@ -28,7 +28,7 @@ inline void AppendCharacter(char32_t c, std::string& out) {
     return;
   }
   const int more = c < 0x800 ? 1 : c < 0x10000 ? 2 : 3;
-  out += static_cast<char>((0xF00U >> more & 0xFFU) | c >> (6 * more));
+  out += static_cast<char>((0xFF00U >> (more + 1) & 0xFFU) | c >> (6 * more));
   for (int i = more - 1; i >= 0; --i) out += static_cast<char>(0x80 | (c >> (6 * i) & 0x3F));
 }
 

@@ -296,8 +296,10 @@ std::optional<bool> EqualValues(const Value& a, const Value& b) {
   }
   if (a.kind == b.kind && a.kind == Kind::kBoolean) return a.boolean == b.boolean;
   if (IsSameTerm(a, b)) return true;
-  if (a.kind == Kind::kOther || b.kind == Kind::kOther) return std::nullopt;
-  return false;
+  // A literal with a language is never equal to one without, whatever that means.
+  const bool may_be_equal = a.kind != Kind::kLanguageString && b.kind != Kind::kLanguageString &&
+                            (a.kind == Kind::kOther || b.kind == Kind::kOther);
+  return may_be_equal ? std::nullopt : std::optional(false);
 }
 
 std::optional<int> CompareValues(const Value& a, const Value& b) {

@@ -20,6 +20,7 @@ http::Router MakeRouter(Context& context) {
   AddLikelyPlaceRoutes(router, context);
   AddSparqlRoutes(router, context);
   AddWatchRoutes(router, context);
+  AddPrologRoutes(router, context);
   return router;
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "reasoner/prolog_worker/workers.h"
 #include "server/api/text_cache.h"
 #include "server/api/watch_hub.h"
 #include "server/http/metrics.h"
@@ -23,7 +24,8 @@ struct Context {
   std::shared_ptr<TextCache> listed = std::make_shared<TextCache>();  // documents in lists
   std::shared_ptr<server::Snapshots> snapshots = std::make_shared<server::Snapshots>();
   std::shared_ptr<WatchHub> watches;  // made with its routes
-  std::string openapi;                // the document, made once all routes are known
+  std::shared_ptr<prolog::Workers> workers = std::make_shared<prolog::Workers>();  // for goals
+  std::string openapi;  // the document, made once all routes are known
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
 };
 
@@ -41,6 +43,7 @@ void AddPlanRoutes(http::Router& router, Context& context);
 void AddLikelyPlaceRoutes(http::Router& router, Context& context);
 void AddSparqlRoutes(http::Router& router, Context& context);
 void AddWatchRoutes(http::Router& router, Context& context);
+void AddPrologRoutes(http::Router& router, Context& context);
 void AddOperationRoutes(http::Router& router, Context& context);
 
 }  // namespace lares::api

@@ -123,8 +123,10 @@ http::Response DeleteDocument(const http::Request& request, DocumentKind kind, C
 
 const std::vector<std::string>& RdfUploadTypes() {
   static const std::vector<std::string> types = {
-      "application/rdf+xml", "text/turtle",     "application/trig",         "application/n-triples",
-      "application/n-quads", "application/xml", "application/octet-stream", "multipart/form-data"};
+      "application/rdf+xml",   "text/turtle",         "application/trig",
+      "application/n-triples", "application/n-quads", "text/owl-functional",
+      "application/owl+xml",   "application/xml",     "application/octet-stream",
+      "multipart/form-data"};
   return types;
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "ontology/rdf/writer.h"
 #include "server/api/answers.h"
 #include "server/api/environments.h"
 #include "server/api/layer_files.h"
@@ -32,37 +33,55 @@ const store::LayerInfo& FindLayer(const store::EnvironmentVersion& version,
       .WithCandidates(SimilarNames(name, names));
 }
 
+// How a semantic layer can be given, whatever it was received as.
+struct Rendering {
+  rdf::Format format;
+  std::string_view extension;
+};
+constexpr std::array<Rendering, 4> kRenderings = {{{rdf::Format::kTurtle, "ttl"},
+                                                   {rdf::Format::kRdfXml, "owl"},
+                                                   {rdf::Format::kOwlFunctional, "ofn"},
+                                                   {rdf::Format::kOwlXml, "owx"}}};
+
 http::Response Rendered(const store::EnvironmentVersion& version, const store::LayerInfo& layer,
-                        rdf::Format format, Context& context) {
-  const std::string extension = format == rdf::Format::kTurtle ? "ttl" : "owl";
+                        const Rendering& rendering, Context& context) {
+  const std::string extension(rendering.extension);
   http::Response response;
-  response.headers.Set("Content-Type", std::string(rdf::MediaType(format)));
+  response.headers.Set("Content-Type", std::string(rdf::MediaType(rendering.format)));
   response.headers.Set("ETag", BlobEtag(layer.blob, "-" + extension));
   response.headers.Set("Content-Disposition", ContentDisposition("semantic." + extension));
-  response.body = context.knowledge.RenderSemantic(version.environment, version.number, format);
+  try {
+    response.body =
+        context.knowledge.RenderSemantic(version.environment, version.number, rendering.format);
+  } catch (const Error& error) {
+    if (error.code() != Code::kInvalid || !rdf::HoldsOnlyAxioms(rendering.format)) throw;
+    throw http::ProblemError("not-acceptable", error.what());  // more than the format can say
+  }
   return response;
 }
 
 // The bytes as received, unless Accept asks for another way to write the same graph.
 http::Response SemanticLayer(const http::Request& request, const store::EnvironmentVersion& version,
                              const store::LayerInfo& layer, Context& context) {
-  const std::string turtle(rdf::MediaType(rdf::Format::kTurtle));
-  const std::string rdf_xml(rdf::MediaType(rdf::Format::kRdfXml));
-  const auto chosen =
-      http::ChooseMediaType(request.headers.GetList("Accept"), {layer.media_type, turtle, rdf_xml});
+  std::vector<std::string> offered = {layer.media_type};
+  for (const Rendering& rendering : kRenderings) {
+    offered.emplace_back(rdf::MediaType(rendering.format));
+  }
+  const auto chosen = http::ChooseMediaType(request.headers.GetList("Accept"), offered);
   if (!chosen) {
-    throw http::ProblemError(
-        "not-acceptable",
-        "the semantic layer is given as " + layer.media_type + ", " + turtle + " or " + rdf_xml);
+    throw http::ProblemError("not-acceptable",
+                             "the semantic layer is given as " + Join(offered, ", "));
   }
   http::Response response;
   if (*chosen == layer.media_type) {
     response = BlobAnswer(context.store, layer.blob, layer.media_type, layer.file_name,
                           BlobEtag(layer.blob));
   } else {
-    const bool as_turtle = *chosen == turtle;
-    response =
-        Rendered(version, layer, as_turtle ? rdf::Format::kTurtle : rdf::Format::kRdfXml, context);
+    for (const Rendering& rendering : kRenderings) {
+      if (*chosen == rdf::MediaType(rendering.format)) {
+        response = Rendered(version, layer, rendering, context);
+      }
+    }
   }
   response.headers.Set("Vary", "Accept");
   return response;

@@ -60,31 +60,57 @@ http::Response Status(const Context& context) {
   return JsonAnswer(json);
 }
 
+// How goals ended, one series for each way.
+std::string GoalsEnded(const prolog::Workers::Counts& goals) {
+  std::string text =
+      "# HELP lares_prolog_goals_total Goals by how they ended; time, memory, idle, abandoned, "
+      "escape and died ended with their process being killed.\n"
+      "# TYPE lares_prolog_goals_total counter\n";
+  for (const char* how :
+       {"yes", "no", "error", "time", "memory", "idle", "abandoned", "escape", "died", "worker"}) {
+    const auto found = goals.ended.find(how);
+    text += std::string("lares_prolog_goals_total{ended=\"") + how + "\"} " +
+            std::to_string(found == goals.ended.end() ? 0 : found->second) + "\n";
+  }
+  return text;
+}
+
 http::Response MetricsText(const Context& context) {
   const server::Knowledge::Counts counts = context.knowledge.counts();
   const auto uptime = std::chrono::steady_clock::now() - context.started;
+  const prolog::Workers::Counts goals = context.workers->counts();
   http::Response response;
   response.headers.Set("Content-Type", "text/plain; version=0.0.4; charset=utf-8");
-  response.body = context.metrics->ToPrometheus(
-      {{"lares_terms", "Distinct terms in the dictionary.", static_cast<double>(counts.terms)},
-       {"lares_statements_asserted", "Statements of loaded documents.",
-        static_cast<double>(counts.asserted)},
-       {"lares_statements_inferred", "Statements that follow from them.",
-        static_cast<double>(counts.inferred)},
-       {"lares_views_cached", "Views held ready for questions.",
-        static_cast<double>(counts.views_cached)},
-       {"lares_contradictions", "Contradictions found in loaded documents.",
-        static_cast<double>(counts.clashes)},
-       {"lares_store_healthy", "1 while the store takes writes.",
-        context.store.health().empty() ? 1.0 : 0.0},
-       {"lares_snapshots_pinned", "Snapshots that running questions hold.",
-        static_cast<double>(context.snapshots->count())},
-       {"lares_snapshot_oldest_seconds", "Age of the one that was pinned first; 0 without any.",
-        std::chrono::duration<double>(context.snapshots->OldestAge()).count()},
-       {"lares_watch_subscribers", "Clients that watch a query.",
-        static_cast<double>(context.watches->subscribers())},
-       {"lares_uptime_seconds", "Since the server started.",
-        std::chrono::duration<double>(uptime).count()}});
+  response.body =
+      context.metrics->ToPrometheus(
+          {{"lares_terms", "Distinct terms in the dictionary.", static_cast<double>(counts.terms)},
+           {"lares_statements_asserted", "Statements of loaded documents.",
+            static_cast<double>(counts.asserted)},
+           {"lares_statements_inferred", "Statements that follow from them.",
+            static_cast<double>(counts.inferred)},
+           {"lares_views_cached", "Views held ready for questions.",
+            static_cast<double>(counts.views_cached)},
+           {"lares_contradictions", "Contradictions found in loaded documents.",
+            static_cast<double>(counts.clashes)},
+           {"lares_store_healthy", "1 while the store takes writes.",
+            context.store.health().empty() ? 1.0 : 0.0},
+           {"lares_snapshots_pinned", "Snapshots that running questions hold.",
+            static_cast<double>(context.snapshots->count())},
+           {"lares_snapshot_oldest_seconds", "Age of the one that was pinned first; 0 without any.",
+            std::chrono::duration<double>(context.snapshots->OldestAge()).count()},
+           {"lares_watch_subscribers", "Clients that watch a query.",
+            static_cast<double>(context.watches->subscribers())},
+           {"lares_prolog_workers_running", "Processes that run a goal.",
+            static_cast<double>(goals.running)},
+           {"lares_prolog_goals_waiting", "Goals that wait for a process.",
+            static_cast<double>(goals.waiting)},
+           {"lares_prolog_goals_turned_away", "Goals that found no room, since the start.",
+            static_cast<double>(goals.refused)},
+           {"lares_prolog_snapshot_bytes", "Copies of views that are kept for goals.",
+            static_cast<double>(goals.snapshot_bytes)},
+           {"lares_uptime_seconds", "Since the server started.",
+            std::chrono::duration<double>(uptime).count()}}) +
+      GoalsEnded(goals);
   return response;
 }
 

@@ -67,6 +67,7 @@ int Run(int argc, const char* const* argv) {
     AddOntology(app, options);
     AddSparql(app, options);
     AddWatch(app, options);
+    AddProlog(app, options);
     AddStatus(app, options);
     return ParseAndRun(app, options, argc, argv);
   } catch (const std::exception& error) {

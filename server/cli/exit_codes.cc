@@ -17,7 +17,7 @@ const std::vector<ExitMeaning>& ExitMeanings() {
        "the input was refused: malformed, too large, not supported, not allowed",
        {"invalid", "too-large", "unsupported", "forbidden", "bad-request", "method-not-allowed",
         "not-acceptable", "length-unknown", "uri-too-long", "range-not-satisfiable",
-        "headers-too-large"}},
+        "headers-too-large", "goal-error"}},
       {ExitCode::kNoSuchName,
        "a name that nothing, or more than one thing, answers to",
        {"not-found", "ambiguous"}},

@@ -42,6 +42,7 @@ void AddOntology(CLI::App& app, const Options& options) {
   ontology->require_subcommand(1);
   AddDocumentCommands(*ontology, kModules, options, "knowrob.owl");
   ontology->get_subcommand("list")->callback([&options] { ListModules(options); });
+  AddOntologyConvert(*ontology);
   auto* aliases = AddCommand(*ontology, "aliases", "Historic names and what they mean here",
                              "  lares ontology aliases\n  lares ontology aliases --json");
   aliases->callback([&options] { ListAliases(options); });

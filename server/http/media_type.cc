@@ -112,13 +112,15 @@ std::optional<std::string> ChooseMediaType(std::string_view accept,
 }
 
 std::string MediaTypeOfFile(std::string_view file_name) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 19> kTypes{{
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 21> kTypes{{
       {".owl", "application/rdf+xml"},
       {".rdf", "application/rdf+xml"},
       {".ttl", "text/turtle"},
       {".trig", "application/trig"},
       {".nt", "application/n-triples"},
       {".nq", "application/n-quads"},
+      {".ofn", "text/owl-functional"},
+      {".owx", "application/owl+xml"},
       {".tsv", "text/tab-separated-values"},
       {".json", "application/json"},
       {".yaml", "application/yaml"},

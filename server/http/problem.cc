@@ -53,6 +53,8 @@ const std::vector<ProblemKind>& ProblemKinds() {
       {"not-feasible", 422, "The robot cannot do that"},
       {"choice-needed", 422, "A person has to choose"},
       {"recipe-unusable", 422, "The recipe gives no plan"},
+      // Of Prolog goals.
+      {"goal-error", 422, "The goal ended with an error"},
   };
   return kinds;
 }

@@ -10,6 +10,7 @@
 #include "ontology/rdf/reader.h"
 #include "ontology/rdf/vocabulary.h"
 #include "reasoner/owl/materialise.h"
+#include "reasoner/owl/update.h"
 
 namespace lares::server {
 namespace {
@@ -61,9 +62,14 @@ rdf::View CloseOwnModules(const std::shared_ptr<rdf::Dictionary>& dictionary,
 
 std::shared_ptr<const CatalogueState> MakeCatalogue(const rdf::View& own,
                                                     const std::vector<rdf::Graph>& stored,
-                                                    std::uint64_t generation) {
+                                                    std::uint64_t generation,
+                                                    const CatalogueState* before) {
   auto catalogue = std::make_shared<CatalogueState>(CatalogueState{own, generation, 0, {}, {}});
-  if (!stored.empty()) catalogue->view = own.With(owl::Materialise(own, stored));
+  const bool is_kept_up = before != nullptr && before->view.layers().size() > own.layers().size();
+  if (!stored.empty()) {
+    catalogue->view = own.With(is_kept_up ? owl::Update(own, *before->view.layers().back(), stored)
+                                          : owl::Materialise(own, stored));
+  }
   for (const auto& layer : catalogue->view.layers()) {
     catalogue->inferred += CountInferred(*layer);
     const bool is_own = layer == own.layers().front();

@@ -32,10 +32,12 @@ std::vector<rdf::Graph> LoadOwnModules(const rdf::AliasTable& aliases, rdf::Dict
 rdf::View CloseOwnModules(const std::shared_ptr<rdf::Dictionary>& dictionary,
                           std::vector<rdf::Graph> own);
 
-// The catalogue of the own modules and `stored`.
+// The catalogue of the own modules and `stored`; made from `before`, an earlier one over the same
+// own modules, where that is given.
 std::shared_ptr<const CatalogueState> MakeCatalogue(const rdf::View& own,
                                                     const std::vector<rdf::Graph>& stored,
-                                                    std::uint64_t generation);
+                                                    std::uint64_t generation,
+                                                    const CatalogueState* before);
 
 // The triples of a layer that no document asserts. Linear.
 std::size_t CountInferred(const rdf::Layer& layer);

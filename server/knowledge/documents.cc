@@ -293,7 +293,7 @@ PutAnswer Knowledge::PutOntology(const PutRequest& request, const rdf::Graph& gr
   std::vector<rdf::Graph> stored;
   for (const auto& [id, other] : next) stored.push_back(other);
   const auto before = state_->catalogue();
-  auto catalogue = MakeCatalogue(state_->own, stored, before->generation + 1);
+  auto catalogue = MakeCatalogue(state_->own, stored, before->generation + 1, before.get());
   Incoming incoming{request, request.file_name, {}, {}, catalogue->view, {}, json::object(), {}};
   incoming.answer.remarks = content.remarks;
   incoming.answer.statements = graph.triples.size();
@@ -322,7 +322,8 @@ void Knowledge::Remove(DocumentKind kind, const std::string& id) {
   state_->stored_graphs.erase(id);
   std::vector<rdf::Graph> stored;
   for (const auto& [other_id, graph] : state_->stored_graphs) stored.push_back(graph);
-  state_->Publish(MakeCatalogue(state_->own, stored, state_->catalogue()->generation + 1));
+  const auto before = state_->catalogue();
+  state_->Publish(MakeCatalogue(state_->own, stored, before->generation + 1, before.get()));
   state_->changes.Notify();
 }
 

@@ -54,11 +54,12 @@ Knowledge::VersionAnswer Knowledge::PutVersion(const store::NewVersion& original
     store::EnvironmentVersion draft;
     draft.environment = version.environment;
     draft.layers = {*layer};
-    answer.remarks =
-        ReadStored(state_->store, state_->aliases, EnvironmentGraphName(version.environment),
-                   layer->blob, layer->media_type, layer->file_name)
-            .remarks;
-    const rdf::View view = state_->ViewOf({nullptr, nullptr, &draft});
+    const std::string name = EnvironmentGraphName(version.environment);
+    rdf::Document content = ReadStored(state_->store, state_->aliases, name, layer->blob,
+                                       layer->media_type, layer->file_name);
+    const rdf::Graph graph = rdf::MakeGraph(content, name, state_->aliases, *state_->dictionary);
+    answer.remarks = std::move(content.remarks);
+    const rdf::View view = state_->ViewOf({nullptr, nullptr, &draft}, &graph);
     answer.objects = semantic::ReadMapObjects(view);
     if (answer.objects.empty() && !DescribesPlace(view, *state_->catalogue())) {
       throw Error(Code::kInvalid, "is no semantic map: it describes no map, place or object",

@@ -73,45 +73,39 @@ Knowledge::Knowledge(store::Store& store, prolog::EnginePool& engines)
       state_->set_aside.push_back({document.id, "set aside: " + error.FullMessage(), 0});
     }
   }
-  state_->Publish(MakeCatalogue(state_->own, stored, 1));
+  state_->Publish(MakeCatalogue(state_->own, stored, 1, nullptr));
 }
 
 Knowledge::~Knowledge() = default;
 
-rdf::View Knowledge::State::Over(const rdf::View& below, const std::string& key,
-                                 const std::string& graph_name,
-                                 const store::DocumentInfo& document) {
-  return views.GetOrMake(key, [&] {
-    const rdf::Document content = ReadStored(store, aliases, graph_name, document.blob,
-                                             document.media_type, document.file_name);
-    return below.With(
-        owl::Materialise(below, {rdf::MakeGraph(content, graph_name, aliases, *dictionary)}));
-  });
+OverlaySource Knowledge::State::SourceOf(const std::string& graph_name,
+                                         const store::DocumentInfo& document) {
+  return {graph_name + "@" + document.blob.sha256, [this, graph_name, document] {
+            const rdf::Document content = ReadStored(store, aliases, graph_name, document.blob,
+                                                     document.media_type, document.file_name);
+            return rdf::MakeGraph(content, graph_name, aliases, *dictionary);
+          }};
 }
 
-rdf::View Knowledge::State::ViewOf(const Stack& stack) {
+rdf::View Knowledge::State::ViewOf(const Stack& stack, const rdf::Graph* environment_graph) {
   const std::shared_ptr<const CatalogueState> base = catalogue();
-  rdf::View view = base->view;
-  std::string key = std::to_string(base->generation);
+  std::vector<OverlaySource> sources;
   // The robot is the largest and changes least, so it lies below what is asked about it.
   for (const store::DocumentInfo* document : {stack.robot, stack.recipe}) {
     if (document == nullptr) continue;
-    const std::string name = GraphName(document->kind, document->id);
-    key += "|" + name + "@" + document->blob.sha256;
-    view = Over(view, key, name, *document);
+    sources.push_back(SourceOf(GraphName(document->kind, document->id), *document));
   }
-  if (stack.environment == nullptr) return view;
-  for (const store::LayerInfo& layer : stack.environment->layers) {
-    if (layer.name != "semantic") continue;
-    store::DocumentInfo document;
-    document.blob = layer.blob;
-    document.media_type = layer.media_type;
-    document.file_name = layer.file_name;
-    const std::string name = EnvironmentGraphName(stack.environment->environment);
-    key += "|" + name + "@" + layer.blob.sha256;
-    view = Over(view, key, name, document);
+  if (stack.environment != nullptr) {
+    for (const store::LayerInfo& layer : stack.environment->layers) {
+      if (layer.name != "semantic") continue;
+      store::DocumentInfo document;
+      document.blob = layer.blob;
+      document.media_type = layer.media_type;
+      document.file_name = layer.file_name;
+      sources.push_back(SourceOf(EnvironmentGraphName(stack.environment->environment), document));
+    }
   }
-  return view;
+  return overlays.Get({base->view, base->generation}, sources, environment_graph).view;
 }
 
 const rdf::AliasTable& Knowledge::aliases() const { return state_->aliases; }
@@ -122,6 +116,8 @@ std::vector<Knowledge::Module> Knowledge::Modules() const {
   return modules;
 }
 
+void Knowledge::WaitForOverlays() { state_->overlays.Wait(); }
+
 rdf::View Knowledge::Catalogue() const { return state_->catalogue()->view; }
 
 Changes& Knowledge::changes() { return state_->changes; }
@@ -130,7 +126,7 @@ Knowledge::Counts Knowledge::counts() const {
   const auto catalogue = state_->catalogue();
   Counts counts;
   counts.terms = state_->dictionary->size();
-  counts.views_cached = state_->views.size();
+  counts.views_cached = state_->overlays.size();
   counts.inferred = catalogue->inferred;
   for (const auto& layer : catalogue->view.layers()) {
     counts.asserted += layer->asserted_size();

@@ -159,8 +159,12 @@ class Knowledge {
   };
   std::vector<Module> Modules() const;
   rdf::View Catalogue() const;
-  // The catalogue with the overlays of `request` above it, closed.
+  // The catalogue with the overlays of `request` above it, closed. Shortly after a change of the
+  // catalogue it may be the view that stood before the change, whole, until the overlays are
+  // closed anew in the background; it never mixes the two.
   rdf::View ViewFor(const ViewRequest& request);
+  // Until every overlay that is kept lies over the catalogue of now.
+  void WaitForOverlays();
   // Told after each put and removal, once questions see it.
   Changes& changes();
   struct Counts {

@@ -10,7 +10,7 @@
 
 #include "ontology/rdf/reader.h"
 #include "server/knowledge/catalogue.h"
-#include "server/knowledge/view_cache.h"
+#include "server/knowledge/overlays.h"
 
 namespace lares::server {
 
@@ -39,7 +39,6 @@ struct Knowledge::State {
   std::shared_ptr<const CatalogueState> catalogue_now;
 
   Changes changes;
-  ViewCache views{64};
   std::mutex priors_mutex;
   std::map<std::string, std::shared_ptr<const PlaceTables>> priors;  // by name@version#generation
 
@@ -47,21 +46,27 @@ struct Knowledge::State {
     const std::shared_lock lock(catalogue_mutex);
     return catalogue_now;
   }
+  // For readers who come now; overlays follow.
   void Publish(std::shared_ptr<const CatalogueState> next) {
-    const std::unique_lock lock(catalogue_mutex);
-    catalogue_now = std::move(next);
+    const Snapshot snapshot{next->view, next->generation};
+    {
+      const std::unique_lock lock(catalogue_mutex);
+      catalogue_now = std::move(next);
+    }
+    overlays.Renew(snapshot);
   }
 
-  // `below` closed with one more document. `key` names `below` and the document together.
-  rdf::View Over(const rdf::View& below, const std::string& key, const std::string& graph_name,
-                 const store::DocumentInfo& document);
   // Catalogue + robot + recipe + environment, each where given.
   struct Stack {
     const store::DocumentInfo* robot = nullptr;
     const store::DocumentInfo* recipe = nullptr;
     const store::EnvironmentVersion* environment = nullptr;
   };
-  rdf::View ViewOf(const Stack& stack);
+  // `environment_graph`: the environment's semantic layer, where it was read already.
+  rdf::View ViewOf(const Stack& stack, const rdf::Graph* environment_graph = nullptr);
+  OverlaySource SourceOf(const std::string& graph_name, const store::DocumentInfo& document);
+
+  Overlays overlays{64};  // last: its thread uses what stands above
 };
 
 // Name of a document's graph in every view: "recipe:find-bottle".

@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "ontology/rdf/literal_value.h"
 #include "ontology/rdf/vocabulary.h"
 
 namespace lares::testing {
@@ -17,13 +18,16 @@ using Pairs = std::vector<std::pair<TermId, TermId>>;
 class Naive {
  public:
   Naive(std::set<Triple> triples, rdf::Dictionary& dictionary) : dictionary_(dictionary) {
-    result_.triples = std::move(triples);
+    for (const Triple& t : triples) {
+      result_.triples.insert({t.subject, t.predicate, dictionary.SameValue(t.object)});
+    }
   }
 
   NaiveClosure Run() {
     std::size_t before = 0;
     while (before != result_.triples.size()) {
       before = result_.triples.size();
+      Datatypes();
       by_predicate_.clear();
       for (const Triple& t : result_.triples) {
         by_predicate_[t.predicate].emplace_back(t.subject, t.object);
@@ -38,6 +42,7 @@ class Naive {
       SchemaOfProperties();
       SchemaOfRestrictions();
     }
+    result_.triples = ComparableTriples(result_.triples, dictionary_);
     return std::move(result_);
   }
 
@@ -68,19 +73,24 @@ class Naive {
   bool Has(TermId s, TermId p, TermId o) { return result_.triples.contains({s, p, o}); }
   bool IsLiteral(TermId id) { return dictionary_.Get(id).kind == rdf::TermKind::kLiteral; }
   bool IsNumber(TermId id, const char* value) {
-    return IsLiteral(id) && dictionary_.Get(id).value == value;
+    const auto known = rdf::ValueOf(dictionary_.Get(id));
+    return IsLiteral(id) && known && known->canonical == value;
   }
 
   void Add(TermId s, TermId p, TermId o) {
-    if (IsLiteral(s) || IsLiteral(p)) return;
-    if (p == Same() && (s == o || IsLiteral(o))) return;
+    if (IsLiteral(p)) return;
+    if (p == Same() && (s == o || AreDifferentValues(s, o))) return;
     if (p == Type() && o == Owl("Thing")) return;
-    if (p == Sub() && (s == o || o == Owl("Thing") || s == Owl("Nothing"))) return;
-    if (s == o &&
-        (p == SubProperty() || p == Owl("equivalentClass") || p == Owl("equivalentProperty"))) {
-      return;
-    }
+    if (p == Sub() && (o == Owl("Thing") || s == Owl("Nothing"))) return;
     result_.triples.insert({s, p, o});
+  }
+  // Never the same: the contradiction, if that is said.
+  bool AreDifferentValues(TermId a, TermId b) {
+    if (!IsLiteral(a) || !IsLiteral(b)) return false;
+    const auto first = rdf::ValueOf(dictionary_.Get(a)), second = rdf::ValueOf(dictionary_.Get(b));
+    const bool differ = first && second && *first != *second;
+    if (differ) Clash("eq-diff1");
+    return differ;
   }
   void Clash(const char* rule) { result_.clashes.insert(rule); }
 
@@ -105,11 +115,41 @@ class Naive {
     }
   }
 
+  // Table 8. Literals are their values already.
+  void Datatypes() {
+    std::set<TermId> literals;
+    for (const Triple& t : result_.triples) {
+      if (IsLiteral(t.subject)) literals.insert(t.subject);
+      if (IsLiteral(t.object)) literals.insert(t.object);
+    }
+    for (const TermId literal : literals) {
+      const auto value = rdf::ValueOf(dictionary_.Get(literal));
+      for (const std::string_view iri : rdf::SupportedDatatypes()) {
+        const TermId datatype = dictionary_.InternIri(iri);
+        const bool is_member = value && rdf::IsInDatatype(*value, iri);
+        if (is_member) Add(literal, Type(), datatype);
+        if (is_member || !Has(literal, Type(), datatype)) continue;
+        if (value || rdf::IsSupportedDatatype(dictionary_.Get(literal).datatype)) {
+          Clash("dt-not-type");
+        }
+      }
+    }
+  }
+
   void Equality() {
     for (const auto& [x, y] : Pairs(Of(Same()))) {
       Add(y, Same(), x);
       for (const TermId z : Values(y, Same())) Add(x, Same(), z);
       if (Has(x, Owl("differentFrom"), y)) Clash("eq-diff1");
+      // Of a class or property that has two names.
+      if (Has(x, Type(), Owl("Class"))) {
+        Add(x, Sub(), y);
+        Add(x, Owl("equivalentClass"), y);
+      }
+      if (Has(x, Type(), Owl("ObjectProperty")) || Has(x, Type(), Owl("DatatypeProperty"))) {
+        Add(x, SubProperty(), y);
+        Add(x, Owl("equivalentProperty"), y);
+      }
       for (const Triple& t : std::set<Triple>(result_.triples)) {
         if (t.subject == x) Add(y, t.predicate, t.object);
         if (t.predicate == x) Add(t.subject, y, t.object);
@@ -128,7 +168,7 @@ class Naive {
       if (!Has(a, Type(), Owl("AllDifferent"))) return;
       for (std::size_t i = 0; i < list.size(); ++i) {
         for (std::size_t j = i + 1; j < list.size(); ++j) {
-          if (Has(list[i], Same(), list[j])) Clash(rule);
+          if (list[i] == list[j] || Has(list[i], Same(), list[j])) Clash(rule);
         }
       }
     });
@@ -405,6 +445,33 @@ class Naive {
 
 NaiveClosure CloseNaively(std::set<Triple> triples, rdf::Dictionary& dictionary) {
   return Naive(std::move(triples), dictionary).Run();
+}
+
+std::set<Triple> ComparableTriples(const std::set<Triple>& triples, rdf::Dictionary& dictionary) {
+  const auto word = [&](std::string_view space, const char* name) {
+    return dictionary.InternIri(std::string(space) + name);
+  };
+  const TermId type = word(rdf::kRdf, "type"), sub = word(rdf::kRdfs, "subClassOf");
+  const std::set<TermId> reflexive = {
+      sub, word(rdf::kOwl, "sameAs"), word(rdf::kRdfs, "subPropertyOf"),
+      word(rdf::kOwl, "equivalentClass"), word(rdf::kOwl, "equivalentProperty")};
+  std::set<Triple> comparable;
+  for (const auto& [s, p, o] : triples) {
+    if (dictionary.Kind(s) == rdf::TermKind::kLiteral) continue;
+    if (s == o && reflexive.contains(p)) continue;
+    if (p == sub && (o == word(rdf::kOwl, "Thing") || s == word(rdf::kOwl, "Nothing"))) continue;
+    if (p == type &&
+        (o == word(rdf::kOwl, "Thing") || rdf::IsSupportedDatatype(dictionary.Get(o).value))) {
+      continue;
+    }
+    comparable.insert({s, p, dictionary.SameValue(o)});
+  }
+  return comparable;
+}
+
+std::set<Triple> ComparableTriples(const rdf::View& view) {
+  const std::vector<Triple> all = view.Match({});
+  return ComparableTriples({all.begin(), all.end()}, view.dictionary());
 }
 
 }  // namespace lares::testing

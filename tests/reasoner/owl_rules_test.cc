@@ -97,6 +97,9 @@ const Case kCases[] = {
     {"scm-sco", ":C rdfs:subClassOf :D . :D rdfs:subClassOf :E .", ":C rdfs:subClassOf :E"},
     {"scm-eqc1", ":C owl:equivalentClass :D .", ":C rdfs:subClassOf :D"},
     {"scm-eqc1", ":C owl:equivalentClass :D .", ":D rdfs:subClassOf :C"},
+    {"scm-cls", ":C owl:sameAs :D . :C a owl:Class .", ":D owl:equivalentClass :C"},
+    {"scm-op", ":p owl:sameAs :q . :p a owl:ObjectProperty .", ":q owl:equivalentProperty :p"},
+    {"scm-dp", ":p owl:sameAs :q . :p a owl:DatatypeProperty .", ":q rdfs:subPropertyOf :p"},
     {"scm-eqc2", ":C rdfs:subClassOf :D . :D rdfs:subClassOf :C .", ":C owl:equivalentClass :D"},
     {"scm-spo", ":p rdfs:subPropertyOf :q . :q rdfs:subPropertyOf :r .",
      ":p rdfs:subPropertyOf :r"},
@@ -145,7 +148,9 @@ std::shared_ptr<rdf::Dictionary> NewDictionary() { return std::make_shared<rdf::
 bool Finds(const Case& wanted, const std::string& text) {
   const auto dictionary = NewDictionary();
   const auto layer = Materialise(rdf::View(dictionary), {GraphOf(text, *dictionary)});
-  if (wanted.follows[0] != '\0') return layer->Contains(TripleOf(wanted.follows, *dictionary));
+  if (wanted.follows[0] != '\0') {
+    return rdf::View(dictionary).With(layer).Contains(TripleOf(wanted.follows, *dictionary));
+  }
   return std::any_of(layer->clashes().begin(), layer->clashes().end(),
                      [&](const rdf::Clash& clash) { return clash.rule == wanted.rule; });
 }

@@ -125,6 +125,11 @@ std::vector<std::string> CsvRecord(const std::string& text, std::size_t& at) {
   return cells;
 }
 
+// CSV does not tell IRIs from literals.
+Term CsvTerm(const std::string& text) {
+  return text.starts_with("_:") ? Term::Blank(text.substr(2)) : Term::Literal(text);
+}
+
 Expected ReadCsv(const std::string& text) {
   Expected expected;
   expected.is_csv = true;
@@ -134,7 +139,8 @@ Expected ReadCsv(const std::string& text) {
     const std::vector<std::string> cells = CsvRecord(text, at);
     auto& row = expected.rows.emplace_back();
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (!cells[i].empty()) row[expected.variables[i]] = Term::Literal(cells[i]);
+      if (cells[i].empty()) continue;
+      row[expected.variables[i]] = CsvTerm(cells[i]);
     }
   }
   return expected;
@@ -174,6 +180,7 @@ class Properties {
   explicit Properties(const Document& document) : document_(document) {
     for (const rdf::Statement& s : document.statements) {
       const std::string& predicate = document.terms[s.predicate].value;
+      if (document.terms[s.object].value == std::string(kResultSet) + "ResultSet") set_ = s.subject;
       if (!predicate.starts_with(kResultSet)) continue;
       values_[s.subject][predicate.substr(kResultSet.size())].push_back(s.object);
     }
@@ -184,16 +191,12 @@ class Properties {
     const auto value = row->second.find(name);
     return value == row->second.end() ? std::vector<std::uint32_t>{} : value->second;
   }
-  std::optional<std::uint32_t> ResultSet() const {
-    for (const auto& [subject, row] : values_) {
-      if (row.count("resultVariable") != 0 || row.count("boolean") != 0) return subject;
-    }
-    return std::nullopt;
-  }
+  std::optional<std::uint32_t> ResultSet() const { return set_; }
   const Term& At(std::uint32_t index) const { return document_.terms[index]; }
 
  private:
   const Document& document_;
+  std::optional<std::uint32_t> set_;
   std::map<std::uint32_t, std::map<std::string, std::vector<std::uint32_t>>> values_;
 };
 
@@ -245,7 +248,7 @@ Rows RowsOf(const Answer& answer, bool as_csv) {
       if (!cells[i] || (as_csv && cells[i]->value.empty())) continue;
       const Term& term = *cells[i];
       row[answer.variables[i]] =
-          !as_csv ? term : Term::Literal((term.kind == TermKind::kBlank ? "_:" : "") + term.value);
+          !as_csv || term.kind == TermKind::kBlank ? term : Term::Literal(term.value);
     }
   }
   return rows;

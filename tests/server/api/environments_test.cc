@@ -77,6 +77,9 @@ TEST_F(EnvironmentsTest, TheSemanticLayerIsRenderedAsAccepted) {
   EXPECT_EQ(xml.body, "lab/1 as application/rdf+xml");
   EXPECT_EQ(xml.headers.Get("Content-Type"), "application/rdf+xml");
   EXPECT_NE(xml.headers.Get("ETag"), Get(path).headers.Get("ETag"));
+  EXPECT_EQ(Get(path, "Accept", "application/owl+xml").body, "lab/1 as application/owl+xml");
+  EXPECT_EQ(Get(path, "Accept", "text/owl-functional").headers.Get("Content-Disposition"),
+            "attachment; filename=\"semantic.ofn\"");
   EXPECT_EQ(Get(path, "Accept", "image/png").status, 406);
 }
 

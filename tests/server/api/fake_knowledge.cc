@@ -151,7 +151,10 @@ std::vector<Knowledge::Module> Knowledge::Modules() const {
 Changes& Knowledge::changes() { return state_->changes; }
 rdf::View Knowledge::ViewFor(const ViewRequest& request) {
   if (testing::Answers().view) return testing::Answers().view(request);
-  return testing::ViewOfTurtle("");
+  if (!request.environment.empty()) {
+    throw Error(Code::kNotFound, "no environment '" + request.environment + "'");
+  }
+  return Catalogue();
 }
 rdf::View Knowledge::Catalogue() const { return rdf::View(std::make_shared<rdf::Dictionary>()); }
 Knowledge::Counts Knowledge::counts() const { return {10, 20, 30, 1, 0}; }

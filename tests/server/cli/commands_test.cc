@@ -42,6 +42,40 @@ TEST_F(CliTest, ARefusalNamesThePlaceAndTheWayOut) {
                                        "  exploration-recipe.owl:715:6: comment mended\n"));
 }
 
+TEST_F(CliTest, OntologiesAreConvertedAndMergedWithoutAServer) {
+  url_ = "http://127.0.0.1:1";
+  const auto first = Write("a.owl",
+                           "Prefix(:=<http://e/>)\nOntology(<http://e/o> Import(<http://e/q>)\n"
+                           "SubClassOf(:A :B))");
+  const auto second = Write("b.ttl",
+                            "@prefix : <http://e/> . :q a <http://www.w3.org/2002/07/owl#Ontology> "
+                            ". :B <http://www.w3.org/2000/01/rdf-schema#subClassOf> :C .");
+  const auto merged = (folder_ / "merged.owx").string();
+  const Outcome xml =
+      Lares({"ontology", "convert", first, second, "--to", "owl-xml", "-o", merged});
+  EXPECT_EQ(xml.code, 0) << xml.err;
+  EXPECT_EQ(Lares({"ontology", "convert", merged, "--to", "owl-functional"}).out,
+            "Prefix(:=<http://e/>)\n\nOntology(<http://e/o>\nSubClassOf(:A :B)\n"
+            "SubClassOf(:B :C)\n)\n");
+  EXPECT_EQ(Lares({"ontology", "convert", first, "--to", "manchester"}).code, 2);
+  EXPECT_EQ(Lares({"ontology", "convert", "absent.owl", "--to", "turtle"}).code, 2);
+}
+
+TEST_F(CliTest, TriplesOfNoAxiomAreRefusedOrLeftOutByName) {
+  const auto file =
+      Write("a.ttl",
+            "@prefix : <http://e/> . @prefix rdf: "
+            "<http://www.w3.org/1999/02/22-rdf-syntax-ns#> . :a rdf:value 1 ; a :A .");
+  const Outcome refused = Lares({"ontology", "convert", file, "--to", "owl-functional"});
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_THAT(refused.err, HasSubstr("lares: no axiom of OWL 2 says <http://e/a>"));
+  const Outcome told =
+      Lares({"ontology", "convert", file, "--to", "owl-functional", "--leave-out"});
+  EXPECT_EQ(told.code, 0);
+  EXPECT_THAT(told.out, HasSubstr("ClassAssertion(:A :a)"));
+  EXPECT_THAT(told.err, StartsWith("left out: <http://e/a> "));
+}
+
 TEST_F(CliTest, SeveralFilesGoOnAfterARefusal) {
   const auto bad = Write("bad.owl", "malformed");
   const auto good = Write("good.owl", "fine");

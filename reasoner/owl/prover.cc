@@ -1,0 +1,477 @@
+#include "reasoner/owl/prover.h"
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include "base/error.h"
+#include "reasoner/owl/derivations.h"
+#include "reasoner/owl/flat_map.h"
+#include "reasoner/owl/proof_paths.h"
+
+namespace lares::owl {
+namespace {
+
+constexpr unsigned kMaxDepth = 400;  // of proofs within proofs; paths do not count
+
+// Two steps of the same kind in a row can be made one without another cost (x a b, b ⊑ c, c ⊑ d:
+// first join the axioms, or first the individual). So what the second rests on need not be looked
+// for among the conclusions of the first: a goal says which rules it is not to end in.
+enum Avoid : unsigned {
+  kPath = 1,
+  kReplaceSubject = 2,
+  kReplaceObject = 4,
+  kReplacePredicate = 8,
+  kSubClass = 16,
+  kSubProperty = 32,
+};
+
+struct Tactic {
+  unsigned kind = 0;         // goals that avoid any of this do not try the rule
+  unsigned last_avoids = 0;  // what the goal of its last premise avoids
+};
+
+Tactic TacticOf(std::string_view rule) {
+  if (rule == "prp-trp" || rule == "scm-sco" || rule == "scm-spo" || rule == "eq-trans" ||
+      rule == "eq-sym") {
+    return {kPath, 0};
+  }
+  if (rule == "eq-rep-s") return {kReplaceSubject, kReplaceSubject};
+  if (rule == "eq-rep-o") return {kReplaceObject, kReplaceSubject | kReplaceObject};
+  if (rule == "eq-rep-p") {
+    return {kReplacePredicate, kReplaceSubject | kReplaceObject | kReplacePredicate};
+  }
+  if (rule == "cax-sco") return {kSubClass, kSubClass};
+  if (rule == "prp-spo1") return {kSubProperty, kSubProperty};
+  return {};
+}
+
+struct Goal {
+  rdf::Triple triple;
+  unsigned avoids = 0;
+
+  friend bool operator==(const Goal&, const Goal&) = default;
+};
+
+struct GoalHash {
+  std::size_t operator()(const Goal& goal) const {
+    const auto [s, p, o] = goal.triple;
+    const std::uint64_t ends =
+        PairKey(static_cast<std::uint32_t>(s), static_cast<std::uint32_t>(o));
+    return MixBits(MixBits(ends) + (std::uint64_t{goal.avoids} << 32) +
+                   static_cast<std::uint32_t>(p));
+  }
+};
+
+struct Known {
+  ProofCost cost;
+  const Rule* rule = nullptr;  // of the cheapest proof, when it is known and has one
+  std::vector<rdf::Triple> premises;
+};
+
+}  // namespace
+
+class Prover::Search {
+ public:
+  explicit Search(rdf::View view) : derivations_(std::move(view)), view_(derivations_.view()) {
+    for (const Rule& rule : derivations_.rules()) {
+      tactics_.resize(std::max<std::size_t>(tactics_.size(), rule.number + 1));
+      tactics_[rule.number] = TacticOf(rule.name);
+      table_of_[rule.name] = rule.table;
+    }
+    transitive_property_ = view_.dictionary().InternIri(Expand("owl:TransitiveProperty"));
+  }
+
+  std::optional<Proof> Why(const rdf::Triple& triple, const ProofOptions& options) {
+    Start(options);
+    Proof proof;
+    if (!view_.Contains(triple)) {
+      if (!AddTrivial(triple, &proof)) return std::nullopt;
+      return proof;
+    }
+    const Goal goal = GoalFor(triple, 0);
+    if (Lower(goal) > 0 && !Solve(goal, kUnprovable - 1)) {
+      throw Error(Code::kInternal, "no rule concludes it, but it is there");
+    }
+    Write(goal, &proof);
+    proof.cost = Lower(goal);
+    return proof;
+  }
+
+  std::optional<Proof> WhyContradiction(const ProofOptions& options) {
+    Start(options);
+    std::vector<const rdf::Clash*> clashes;
+    for (const auto& layer : view_.layers()) {
+      for (const rdf::Clash& clash : layer->clashes()) clashes.push_back(&clash);
+    }
+    if (clashes.empty()) return std::nullopt;
+    for (unsigned bound = 0; bound < kUnprovable;) {
+      unsigned next = kUnprovable;
+      for (const rdf::Clash* clash : clashes) {
+        std::vector<Goal> goals;
+        for (const rdf::Triple& premise : clash->premises) {
+          if (view_.Contains(premise)) goals.push_back(GoalFor(premise, 0));
+        }
+        unsigned cost = 0;
+        if (SolveAll(goals, bound, &cost)) return WriteClash(*clash, cost);
+        next = std::min(next, cost);
+      }
+      bound = std::max(next, bound + 1);
+    }
+    throw Error(Code::kInternal, "no rule concludes what a contradiction rests on");
+  }
+
+ private:
+  void Start(const ProofOptions& options) {
+    options_ = options;
+    work_ = 0;
+    depth_ = 0;
+  }
+
+  void Work() {
+    if (++work_ > options_.max_work) {
+      throw Error(Code::kTooLarge,
+                  "no proof after looking at " + std::to_string(options_.max_work) + " triples");
+    }
+    if (work_ % 256 == 0 && options_.stop.stop_requested()) {
+      throw Error(Code::kTimeout, "stopped while looking for a proof");
+    }
+  }
+
+  // ---- What is transitive -----------------------------------------------------------------------
+
+  bool IsPath(rdf::TermId p) {
+    const auto known = is_path_.find(p);
+    if (known != is_path_.end()) return known->second;
+    bool& is_path = is_path_[p];  // not while it is being looked into
+    const Vocabulary& words = derivations_.words();
+    if (p == words.same_as || p == words.sub_class_of || p == words.sub_property_of) {
+      is_path = true;
+    } else if (view_.Contains({p, words.type, transitive_property_})) {
+      is_path = Solve({{p, words.type, transitive_property_}, 0}, kMaxDepth);
+    }
+    return is_path;
+  }
+
+  // Rules about paths know better than the others what not to look at twice.
+  Goal GoalFor(const rdf::Triple& triple, unsigned avoids) {
+    return {triple, avoids != 0 && IsPath(triple.predicate) ? avoids & kPath : avoids};
+  }
+
+  // That P is transitive, when this has to be said.
+  std::optional<Goal> TransitivityOf(rdf::TermId p) {
+    const Vocabulary& words = derivations_.words();
+    if (p == words.same_as || p == words.sub_class_of || p == words.sub_property_of) return {};
+    return Goal{{p, words.type, transitive_property_}, 0};
+  }
+
+  ProofPaths& PathsTo(rdf::TermId p, rdf::TermId target) {
+    auto& paths =
+        paths_[PairKey(static_cast<std::uint32_t>(p), static_cast<std::uint32_t>(target))];
+    if (paths) return *paths;
+    unsigned step = 1;
+    if (const auto transitivity = TransitivityOf(p)) step += Lower(*transitivity);
+    ProofPaths::Edges edges;
+    edges.at = [this, p](rdf::TermId node, const auto& add) { EdgesAt(p, node, add); };
+    edges.cost = [this](const rdf::Triple& edge) { return Recall({edge, kPath}).cost; };
+    edges.better_cost = [this](const rdf::Triple& edge) {
+      const Goal goal{edge, kPath};
+      Solve(goal, Recall(goal).cost.lower);
+      return Recall(goal).cost;
+    };
+    paths = std::make_unique<ProofPaths>(target, step, std::move(edges));
+    return *paths;
+  }
+
+  void EdgesAt(rdf::TermId p, rdf::TermId node,
+               const std::function<void(const ProofPaths::Edge&)>& add) {
+    AddEdges(p, node, false, add);
+    if (p == derivations_.words().same_as) AddEdges(p, node, true, add);
+  }
+
+  void AddEdges(rdf::TermId p, rdf::TermId node, bool backwards,
+                const std::function<void(const ProofPaths::Edge&)>& add) {
+    const auto& asserted = backwards ? AssertedOf(p).from : AssertedOf(p).to;
+    const auto found = asserted.find(node);
+    if (found != asserted.end()) {
+      for (const rdf::TermId other : found->second) {
+        add({backwards ? rdf::Triple{node, p, other} : rdf::Triple{other, p, node}, backwards});
+      }
+    }
+    std::vector<rdf::Triple> derived;
+    const rdf::Pattern goal = backwards ? rdf::Pattern{node, p, {}} : rdf::Pattern{{}, p, node};
+    derivations_.ForEach(goal, OptionsFor(p, kPath, {}), [&](const Step& step) {
+      Work();
+      derived.push_back(step.conclusion);
+      return true;
+    });
+    std::sort(derived.begin(), derived.end());
+    derived.erase(std::unique(derived.begin(), derived.end()), derived.end());
+    for (const rdf::Triple& triple : derived) {
+      if (view_.Contains(triple)) add({triple, backwards});
+    }
+  }
+
+  struct Neighbours {
+    std::unordered_map<rdf::TermId, std::vector<rdf::TermId>> to, from;
+  };
+
+  const Neighbours& AssertedOf(rdf::TermId p) {
+    auto& kept = asserted_[p];
+    if (kept) return *kept;
+    kept = std::make_unique<Neighbours>();
+    for (const auto& layer : view_.layers()) {
+      for (const rdf::Graph& graph : layer->graphs()) {
+        for (const rdf::Triple& triple : graph.triples) {
+          if (triple.predicate != p) continue;
+          kept->to[triple.object].push_back(triple.subject);
+          kept->from[triple.subject].push_back(triple.object);
+        }
+      }
+    }
+    return *kept;
+  }
+
+  // ---- Search -----------------------------------------------------------------------------------
+
+  Known& Recall(const Goal& goal) {
+    const auto [found, is_new] = known_.try_emplace(goal);
+    if (is_new && view_.IsAsserted(goal.triple)) found->second.cost = {0, true};
+    return found->second;
+  }
+  unsigned Lower(const Goal& goal) { return Recall(goal).cost.lower; }
+
+  Derivations::Options OptionsFor(rdf::TermId p, unsigned avoids, Derivations::Holds usable) {
+    // Replacing in an equality is a path too.
+    if ((avoids & kPath) != 0 && p == derivations_.words().same_as) {
+      avoids |= kReplaceSubject | kReplaceObject;
+    }
+    Derivations::Options options;
+    options.usable = std::move(usable);
+    options.wanted = [this, avoids](const Rule& rule) {
+      return (tactics_[rule.number].kind & avoids) == 0;
+    };
+    options.stop = options_.stop;
+    return options;
+  }
+
+  static Error TooDeep() {
+    return Error(Code::kTooLarge,
+                 "the proof is more than " + std::to_string(kMaxDepth) + " steps deep");
+  }
+
+  // Whether there is a proof of at most that cost; Recall(goal) knows it then, and knows a better
+  // lower bound otherwise. Bounds are tried one after the other, so the first proof found is a
+  // cheapest one, and a goal never comes up again in its own proof: less is left for it there than
+  // it is known to cost.
+  bool Solve(const Goal& goal, unsigned budget) {
+    Known& known = Recall(goal);
+    while (!known.cost.is_exact && known.cost.lower <= budget) {
+      if (depth_ > kMaxDepth) throw TooDeep();
+      ++depth_;
+      if ((goal.avoids & kPath) == 0 && IsPath(goal.triple.predicate)) {
+        const auto [s, p, o] = goal.triple;
+        const ProofCost cost = PathsTo(p, o).CostFrom(s, budget);
+        if (!cost.is_exact && cost.lower <= budget) {
+          throw Error(Code::kInternal, "a path was asked for within itself");
+        }
+        known.cost = cost;
+      } else {
+        Try(goal, known);
+      }
+      --depth_;
+    }
+    return known.cost.is_exact && known.cost.lower <= budget;
+  }
+
+  // Proofs that cost exactly what `known` has as lower bound.
+  void Try(const Goal& goal, Known& known) {
+    const unsigned bound = known.cost.lower;
+    unsigned next = kUnprovable;
+    const auto usable = [&](const rdf::Triple& triple) {
+      Work();
+      const unsigned lower = Lower({triple, 0});
+      if (lower >= bound) next = std::min(next, std::max(lower, bound) + 1);
+      return lower < bound;
+    };
+    const auto [s, p, o] = goal.triple;
+    derivations_.ForEach({s, p, o}, OptionsFor(p, goal.avoids, usable), [&](const Step& step) {
+      unsigned cost = 0;
+      if (!SolveAll(PremisesOf(step.rule, step.premises), bound - 1, &cost)) {
+        next = std::min(next, std::max(cost, bound) + 1);
+        return true;
+      }
+      known.cost = {1 + cost, true};
+      known.rule = &step.rule;
+      known.premises.assign(step.premises.begin(), step.premises.end());
+      return false;
+    });
+    if (!known.cost.is_exact) known.cost.lower = std::max(bound + 1, next);
+  }
+
+  // As goals, each once.
+  std::vector<Goal> PremisesOf(const Rule& rule, std::span<const rdf::Triple> premises) {
+    std::vector<Goal> goals;
+    for (std::size_t i = 0; i < premises.size(); ++i) {
+      const bool is_last = i + 1 == premises.size();
+      const Goal goal = GoalFor(premises[i], is_last ? tactics_[rule.number].last_avoids : 0);
+      const auto same = [&](const Goal& other) { return other.triple == goal.triple; };
+      if (std::none_of(goals.begin(), goals.end(), same)) goals.push_back(goal);
+    }
+    return goals;
+  }
+
+  // Whether all can be proved for `budget` together; `cost` is the cost, or a lower bound.
+  bool SolveAll(const std::vector<Goal>& goals, unsigned budget, unsigned* cost) {
+    std::vector<unsigned> lower;
+    unsigned sum = 0;
+    for (const Goal& goal : goals) {
+      lower.push_back(Lower(goal));
+      sum = std::min(kUnprovable, sum + lower.back());
+    }
+    for (std::size_t i = 0; i < goals.size() && sum <= budget; ++i) {
+      Solve(goals[i], budget - (sum - lower[i]));
+      sum = std::min(kUnprovable, sum - lower[i] + Lower(goals[i]));
+    }
+    *cost = sum;
+    return sum <= budget;
+  }
+
+  // ---- Writing ----------------------------------------------------------------------------------
+
+  struct Writer {
+    Proof* proof;
+    std::unordered_map<Goal, std::size_t, GoalHash> index;  // by triple alone
+  };
+
+  void Write(const Goal& goal, Proof* proof) {
+    Writer writer{proof, {}};
+    WriteGoal(goal, writer);
+  }
+
+  std::size_t Add(ProofNode node, Writer& writer) {
+    const std::size_t index = writer.proof->nodes.size();
+    writer.index.emplace(Goal{node.triple, 0}, index);
+    writer.proof->nodes.push_back(std::move(node));
+    return index;
+  }
+
+  std::size_t WriteGoal(const Goal& goal, Writer& writer) {
+    const auto found = writer.index.find({goal.triple, 0});
+    if (found != writer.index.end()) return found->second;
+    const Known& known = Recall(goal);
+    if (known.cost.lower == 0) {
+      return Add({goal.triple, "", 0, {}, view_.GraphsOf(goal.triple)}, writer);
+    }
+    if (known.rule == nullptr) return WritePath(goal, writer);
+    ProofNode node{goal.triple, known.rule->name, known.rule->table, {}, {}};
+    const Rule& rule = *known.rule;
+    for (std::size_t i = 0; i < known.premises.size(); ++i) {
+      const bool is_last = i + 1 == known.premises.size();
+      const Goal premise =
+          GoalFor(known.premises[i], is_last ? tactics_[rule.number].last_avoids : 0);
+      node.premises.push_back(WriteGoal(premise, writer));
+    }
+    return Add(std::move(node), writer);
+  }
+
+  // From the end of the path to its beginning.
+  std::size_t WritePath(const Goal& goal, Writer& writer) {
+    const auto [source, p, target] = goal.triple;
+    const ProofPaths& paths = PathsTo(p, target);
+    std::vector<const ProofPaths::Link*> links;
+    links.push_back(&paths.LinkFrom(source));  // there may be a circle
+    while (links.back()->next != target) links.push_back(&paths.LinkFrom(links.back()->next));
+    std::size_t rest = 0;
+    for (auto link = links.rbegin(); link != links.rend(); ++link) {
+      const ProofPaths::Edge& edge = (*link)->edge;
+      const bool is_final = (*link)->next == target;
+      if (is_final && !edge.is_backwards) {
+        rest = WriteGoal({edge.triple, kPath}, writer);
+        continue;
+      }
+      const rdf::TermId from = edge.is_backwards ? edge.triple.object : edge.triple.subject;
+      const rdf::Triple conclusion{from, p, target};
+      const auto found = writer.index.find({conclusion, 0});
+      if (found != writer.index.end()) {
+        rest = found->second;
+        continue;
+      }
+      const std::string rule = RuleOfStep(p, edge.is_backwards, is_final);
+      ProofNode node{conclusion, rule, table_of_[rule], {}, {}};
+      if (rule == "prp-trp") node.premises.push_back(WriteGoal(*TransitivityOf(p), writer));
+      node.premises.push_back(WriteGoal({edge.triple, kPath}, writer));
+      if (!is_final) node.premises.push_back(rest);
+      rest = Add(std::move(node), writer);
+    }
+    return rest;
+  }
+
+  std::string RuleOfStep(rdf::TermId p, bool is_backwards, bool is_final) const {
+    const Vocabulary& words = derivations_.words();
+    if (p == words.same_as) return is_final ? "eq-sym" : is_backwards ? "eq-rep-s" : "eq-trans";
+    if (p == words.sub_class_of) return "scm-sco";
+    return p == words.sub_property_of ? "scm-spo" : "prp-trp";
+  }
+
+  Proof WriteClash(const rdf::Clash& clash, unsigned cost) {
+    Proof proof;
+    proof.cost = 1 + cost;
+    Writer writer{&proof, {}};
+    ProofNode node{{}, clash.rule, table_of_[clash.rule], {}, {}};
+    for (const rdf::Triple& premise : clash.premises) {
+      const std::size_t before = proof.nodes.size();
+      if (view_.Contains(premise)) {
+        node.premises.push_back(WriteGoal(GoalFor(premise, 0), writer));
+      } else if (AddTrivial(premise, &proof)) {
+        node.premises.push_back(before);
+      }
+    }
+    proof.nodes.push_back(std::move(node));
+    return proof;
+  }
+
+  // What holds without being stored.
+  bool AddTrivial(const rdf::Triple& triple, Proof* proof) {
+    const Vocabulary& words = derivations_.words();
+    const auto [s, p, o] = triple;
+    std::string rule;
+    if (p == words.same_as && s == o) rule = "eq-ref";
+    if (p == words.sub_class_of && (s == o || o == words.thing || s == words.nothing)) {
+      rule = "scm-cls";
+    }
+    if (p == words.equivalent_class && s == o) rule = "scm-cls";
+    if ((p == words.sub_property_of || p == words.equivalent_property) && s == o) rule = "scm-op";
+    if (rule.empty()) return false;
+    proof->nodes.push_back({triple, rule, rule == "eq-ref" ? 4 : 9, {}, {}});
+    return true;
+  }
+
+  Derivations derivations_;
+  const rdf::View& view_;
+  rdf::TermId transitive_property_{};
+  std::unordered_map<rdf::TermId, bool> is_path_;
+  std::vector<Tactic> tactics_;  // by number of the rule
+  std::map<std::string, int> table_of_;
+  std::unordered_map<Goal, Known, GoalHash> known_;
+  std::unordered_map<std::uint64_t, std::unique_ptr<ProofPaths>> paths_;
+  std::unordered_map<rdf::TermId, std::unique_ptr<Neighbours>> asserted_;
+  ProofOptions options_;
+  std::size_t work_ = 0;
+  unsigned depth_ = 0;
+};
+
+Prover::Prover(rdf::View view) : search_(std::make_unique<Search>(std::move(view))) {}
+Prover::~Prover() = default;
+
+std::optional<Proof> Prover::Why(const rdf::Triple& triple, const ProofOptions& options) {
+  return search_->Why(triple, options);
+}
+
+std::optional<Proof> Prover::WhyContradiction(const ProofOptions& options) {
+  return search_->WhyContradiction(options);
+}
+
+}  // namespace lares::owl

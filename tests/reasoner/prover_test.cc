@@ -1,0 +1,249 @@
+// Proofs: right by the tables, least by brute force, and quick where there is much to choose from.
+#include "reasoner/owl/prover.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "reasoner/owl/derivations.h"
+#include "reasoner/owl/materialise.h"
+#include "tests/ontology/test_graph.h"
+#include "tests/reasoner/proof_checker.h"
+#include "tests/reasoner/random_ontology.h"
+
+namespace lares::owl {
+namespace {
+
+using lares::testing::Author;
+using lares::testing::CheckProof;
+using lares::testing::GraphOf;
+using lares::testing::ToText;
+using lares::testing::TripleOf;
+
+rdf::View Over(const rdf::View& below, const std::string& text, const std::string& name) {
+  return below.With(Materialise(below, {GraphOf(text, below.dictionary(), name)}));
+}
+
+rdf::View Closed(const std::string& text) {
+  return Over(rdf::View(std::make_shared<rdf::Dictionary>()), text, "test");
+}
+
+std::vector<rdf::Triple> InferredOf(const rdf::View& view) {
+  std::vector<rdf::Triple> inferred = view.Match({});
+  std::erase_if(inferred, [&](const rdf::Triple& triple) { return view.IsAsserted(triple); });
+  return inferred;
+}
+
+// The least cost of a proof of each triple, by trying all steps until nothing gets cheaper.
+std::map<rdf::Triple, unsigned> LeastCosts(const rdf::View& view) {
+  std::map<rdf::Triple, unsigned> costs;
+  std::vector<std::pair<rdf::Triple, std::set<rdf::Triple>>> steps;
+  Derivations derivations(view);
+  for (const rdf::Triple& triple : view.Match({})) {
+    costs[triple] = view.IsAsserted(triple) ? 0 : 1'000'000;
+    derivations.ForEach(
+        {triple.subject, triple.predicate, triple.object}, {}, [&](const Step& step) {
+          steps.emplace_back(triple,
+                             std::set<rdf::Triple>(step.premises.begin(), step.premises.end()));
+          return true;
+        });
+  }
+  for (bool again = true; again;) {
+    again = false;
+    for (const auto& [conclusion, premises] : steps) {
+      unsigned cost = 1;
+      for (const rdf::Triple& premise : premises) cost += costs.at(premise);
+      if (cost >= costs[conclusion]) continue;
+      costs[conclusion] = cost;
+      again = true;
+    }
+  }
+  return costs;
+}
+
+TEST(ProverTest, EveryInferredTripleHasAProofThatTheCheckerAcceptsAndNoneIsCheaper) {
+  for (unsigned seed = 1; seed <= 150; ++seed) {
+    Author author(seed);
+    const std::string text = author.Text(6 + static_cast<int>(author.Below(20)));
+    const rdf::View view = Closed(text);
+    const auto least = LeastCosts(view);
+    Prover prover(view);
+    for (const rdf::Triple& triple : InferredOf(view)) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ": " + ToText(triple, view.dictionary()) + "\n" +
+                   text);
+      std::optional<Proof> proof; try { proof = prover.Why(triple);} catch (const Error& e) { FAIL() << e.what() << " least " << least.at(triple); }
+      ASSERT_TRUE(proof.has_value());
+      ASSERT_EQ(proof->conclusion().triple, triple);
+      ASSERT_EQ(CheckProof(*proof, view), "")
+          << "seed " << seed << ": " << ToText(triple, view.dictionary()) << "\n"
+          << text;
+      ASSERT_EQ(proof->cost, least.at(triple))
+          << "seed " << seed << ": " << ToText(triple, view.dictionary()) << "\n"
+          << text;
+      ASSERT_LE(proof->steps(), proof->cost);
+    }
+  }
+}
+
+TEST(ProverTest, ContradictionsHaveProofs) {
+  int contradictions = 0;
+  for (unsigned seed = 500; seed <= 600; ++seed) {
+    Author author(seed);
+    const rdf::View view = Closed(author.Text(18));
+    const auto proof = Prover(view).WhyContradiction();
+    ASSERT_EQ(proof.has_value(), !view.layers()[0]->clashes().empty());
+    if (!proof) continue;
+    ++contradictions;
+    ASSERT_TRUE(proof->conclusion().is_contradiction());
+    ASSERT_EQ(CheckProof(*proof, view), "") << "seed " << seed;
+  }
+  EXPECT_GT(contradictions, 20);
+}
+
+TEST(ProverTest, ProofsOverLayersNameTheDocumentsOfEach) {
+  rdf::View view(std::make_shared<rdf::Dictionary>());
+  view = Over(view, ":Cup rdfs:subClassOf :Container .", "catalogue");
+  view = Over(view, ":cup1 a :Cup .", "environment");
+  view = Over(view, ":cup1 a :Cup .", "recipe");
+  const rdf::Triple goal = TripleOf(":cup1 a :Container", view.dictionary());
+  const auto proof = Prover(view).Why(goal);
+  ASSERT_TRUE(proof);
+  EXPECT_EQ(CheckProof(*proof, view), "");
+  EXPECT_EQ(proof->conclusion().rule, "cax-sco");
+  ASSERT_EQ(proof->nodes.size(), 3U);
+  EXPECT_EQ(proof->nodes[0].graphs, std::vector<std::string>{"catalogue"});
+  EXPECT_EQ(proof->nodes[1].graphs, (std::vector<std::string>{"environment", "recipe"}));
+}
+
+TEST(ProverTest, WhatIsAssertedIsALeaf) {
+  const rdf::View view = Closed(":x a :C . :x a :D . :D rdfs:subClassOf :C .");
+  const auto proof = Prover(view).Why(TripleOf(":x a :C", view.dictionary()));
+  ASSERT_TRUE(proof);
+  EXPECT_EQ(proof->nodes.size(), 1U);
+  EXPECT_EQ(proof->cost, 0U);
+  EXPECT_EQ(CheckProof(*proof, view), "");
+}
+
+TEST(ProverTest, WhatDoesNotHoldHasNoProof) {
+  const rdf::View view = Closed(":x a :C .");
+  EXPECT_FALSE(Prover(view).Why(TripleOf(":x a :D", view.dictionary())));
+  EXPECT_FALSE(Prover(view).WhyContradiction());
+}
+
+TEST(ProverTest, WhatIsTrueOfEverythingIsOneStep) {
+  const rdf::View view = Closed(":x a :C .");
+  for (const char* triple :
+       {":x owl:sameAs :x", ":C rdfs:subClassOf :C", ":C rdfs:subClassOf owl:Thing",
+        "owl:Nothing rdfs:subClassOf :C", ":p rdfs:subPropertyOf :p"}) {
+    const auto proof = Prover(view).Why(TripleOf(triple, view.dictionary()));
+    ASSERT_TRUE(proof) << triple;
+    EXPECT_EQ(CheckProof(*proof, view), "") << triple;
+  }
+}
+
+std::string Chain(const std::string& property, int links) {
+  std::string text;
+  for (int i = 0; i < links; ++i) {
+    text += ":x" + std::to_string(i) + " " + property + " :x" + std::to_string(i + 1) + " .\n";
+  }
+  return text;
+}
+
+void ExpectCost(const rdf::View& view, const std::string& goal, unsigned cost) {
+  const auto proof = Prover(view).Why(TripleOf(goal, view.dictionary()));
+  ASSERT_TRUE(proof) << goal;
+  EXPECT_EQ(CheckProof(*proof, view), "") << goal;
+  EXPECT_EQ(proof->cost, cost) << goal;
+}
+
+TEST(ProverTest, AChainOfFiveHundredLinks) {
+  ExpectCost(Closed(":p a owl:TransitiveProperty .\n" + Chain(":p", 500)), ":x0 :p :x500", 499);
+}
+
+TEST(ProverTest, AChainOfFiveHundredLinksOfASubproperty) {
+  ExpectCost(
+      Closed(":p a owl:TransitiveProperty . :q rdfs:subPropertyOf :p .\n" + Chain(":q", 500)),
+      ":x0 :p :x500", 999);
+}
+
+TEST(ProverTest, AChainOfThreeHundredClasses) {
+  ExpectCost(Closed(":i a :x0 .\n" + Chain("rdfs:subClassOf", 300)), ":i a :x300", 300);
+}
+
+TEST(ProverTest, AThousandNamesOfOneThing) {
+  std::string star, row = Chain("owl:sameAs", 200);
+  for (int i = 0; i < 300; ++i) star += ":hub owl:sameAs :y" + std::to_string(i) + " .\n";
+  ExpectCost(Closed(star), ":y7 owl:sameAs :y9", 1);
+  ExpectCost(Closed(row), ":x0 owl:sameAs :x200", 199);
+  ExpectCost(Closed(row), ":x200 owl:sameAs :x0", 200);
+  ExpectCost(Closed(row + ":x0 a :C ."), ":x200 a :C", 200);
+}
+
+TEST(ProverTest, ShowsSharedPartsOnce) {
+  const rdf::View view = Closed(
+      ":x :p :y . :q owl:inverseOf :p . :r rdfs:subPropertyOf :s . :y :r :z . "
+      ":s owl:propertyChainAxiom ( :q :p ) . :p owl:equivalentProperty :t . "
+      ":u owl:propertyChainAxiom ( :t :q :t :q ) .");
+  const auto proof = Prover(view).Why(TripleOf(":x :u :x", view.dictionary()));
+  ASSERT_TRUE(proof);
+  EXPECT_EQ(CheckProof(*proof, view), "");
+  EXPECT_EQ(proof->cost, 3U);
+  EXPECT_EQ(proof->steps(), 3U);
+}
+
+TEST(ProverTest, GivesUpAfterTheWorkItIsAllowed) {
+  const rdf::View view = Closed(":p a owl:TransitiveProperty .\n" + Chain(":p", 100));
+  ProofOptions options;
+  options.max_work = 3;
+  Prover prover(view);
+  const rdf::Triple goal = TripleOf(":x200 a :y", view.dictionary());
+  EXPECT_FALSE(prover.Why(goal, options));
+  const rdf::View other = Closed(
+      ":x :p :y . :p rdfs:domain :A . :A rdfs:subClassOf :B . :B rdfs:subClassOf :C . "
+      ":z :p :y . :A rdfs:subClassOf :D . :D rdfs:subClassOf :C .");
+  try {
+    Prover(other).Why(TripleOf(":x a :C", other.dictionary()), options);
+    FAIL() << "no limit";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Code::kTooLarge);
+  }
+}
+
+// Each way to spoil a proof is noticed.
+TEST(ProofCheckerTest, RefusesWhatIsSpoiled) {
+  const rdf::View view =
+      Closed(":x :p :y . :p rdfs:domain :A . :A rdfs:subClassOf :B . :z a :A . :q rdfs:range :A .");
+  const auto good = Prover(view).Why(TripleOf(":x a :B", view.dictionary()));
+  ASSERT_TRUE(good);
+  ASSERT_EQ(CheckProof(*good, view), "");
+  const std::vector<std::function<void(Proof&)>> spoilings = {
+      [](Proof& p) { p.nodes.back().rule = "cax-eqc1"; },
+      [](Proof& p) { p.nodes.back().rule = "no-such"; },
+      [](Proof& p) { p.nodes.back().table = 9; },
+      [](Proof& p) { p.nodes.back().premises.pop_back(); },
+      [](Proof& p) { p.nodes.back().premises.push_back(0); },
+      [](Proof& p) { p.nodes.back().premises[0] = p.nodes.size() - 1; },
+      [](Proof& p) { p.nodes.back().graphs = {"test"}; },
+      [](Proof& p) { p.nodes.front().graphs = {"other"}; },
+      [](Proof& p) { p.nodes.front().graphs.clear(); },
+      [](Proof& p) { p.nodes.back().rule.clear(); },
+      [](Proof& p) { p.nodes.push_back(p.nodes.front()); },
+      [](Proof& p) { p.nodes.back().premises.clear(); },
+      [&](Proof& p) { p.nodes.back().triple = TripleOf(":z a :B", view.dictionary()); },
+      [&](Proof& p) { p.nodes.front().triple = TripleOf(":q rdfs:range :A", view.dictionary()); },
+      [](Proof& p) { p.nodes.clear(); },
+  };
+  for (std::size_t i = 0; i < spoilings.size(); ++i) {
+    Proof spoiled = *good;
+    spoilings[i](spoiled);
+    EXPECT_NE(CheckProof(spoiled, view), "") << "spoiling " << i;
+  }
+}
+
+}  // namespace
+}  // namespace lares::owl
