@@ -20,6 +20,7 @@ enum class Format {
   kTriG,
   kNTriples,
   kNQuads,
+  kJsonLd,
   kOwlFunctional,  // OWL 2 Functional-Style Syntax
   kOwlXml,         // OWL/XML, which is not RDF/XML
 };
@@ -27,8 +28,9 @@ enum class Format {
 // "application/rdf+xml", "text/turtle", …
 std::string_view MediaType(Format format);
 // From a media type (parameters ignored), a file name (".owl", ".rdf", ".ttl", ".trig", ".nt",
-// ".nq", ".ofn", ".owx") or, with neither telling, the first bytes. ".owl" and the media types of
-// XML say little: the first bytes tell RDF/XML from OWL's own syntaxes. Throws kUnsupported.
+// ".nq", ".jsonld", ".ofn", ".owx") or, with neither telling, the first bytes. ".owl" and the media
+// types of XML say little: the first bytes tell RDF/XML from OWL's own syntaxes. Throws
+// kUnsupported.
 Format GuessFormat(std::string_view media_type, std::string_view file_name, std::string_view bytes);
 
 struct Statement {
@@ -53,6 +55,9 @@ struct Document {
   Format format = Format::kTurtle;
   std::vector<Term> terms;  // each distinct term once, as written (aliases not applied)
   std::vector<Statement> statements;
+  // On request (ReadOptions::record_lines), for each statement the line on which it ends, give or
+  // take one; empty otherwise and where the format's reader does not know.
+  std::vector<std::uint32_t> lines;
   std::map<std::string, std::string> prefixes;  // prefix without ':' → IRI
   std::vector<std::string> imports;             // objects of owl:imports, as written
   std::vector<Remark> remarks;                  // repairs and warnings, in order of place

@@ -13,7 +13,7 @@ struct Row {
   Format format;
 };
 
-constexpr std::array<Row, 12> kMediaTypes = {
+constexpr std::array<Row, 13> kMediaTypes = {
     {{"application/rdf+xml", Format::kRdfXml},
      {"application/xml", Format::kRdfXml},
      {"text/xml", Format::kRdfXml},
@@ -23,17 +23,20 @@ constexpr std::array<Row, 12> kMediaTypes = {
      {"application/x-trig", Format::kTriG},
      {"application/n-triples", Format::kNTriples},
      {"application/n-quads", Format::kNQuads},
+     {"application/ld+json", Format::kJsonLd},
      {"text/owl-functional", Format::kOwlFunctional},
      {"application/owl-functional", Format::kOwlFunctional},
      {"application/owl+xml", Format::kOwlXml}}};
 
-constexpr std::array<Row, 10> kExtensions = {{{".rdf", Format::kRdfXml},
+constexpr std::array<Row, 12> kExtensions = {{{".rdf", Format::kRdfXml},
                                               {".xml", Format::kRdfXml},
                                               {".rdfs", Format::kRdfXml},
                                               {".ttl", Format::kTurtle},
                                               {".trig", Format::kTriG},
                                               {".nt", Format::kNTriples},
                                               {".nq", Format::kNQuads},
+                                              {".jsonld", Format::kJsonLd},
+                                              {".json", Format::kJsonLd},
                                               {".ofn", Format::kOwlFunctional},
                                               {".owx", Format::kOwlXml},
                                               {".owlxml", Format::kOwlXml}}};
@@ -106,11 +109,19 @@ bool IsOwlFunctional(std::string_view text) {
   return false;
 }
 
+// "{" and a key, or "[" and an object: no Turtle, and no graph of TriG.
+bool IsJson(std::string_view text) {
+  if (text[0] != '{' && text[0] != '[') return false;
+  const std::size_t next = text.find_first_not_of(" \t\r\n", 1);
+  return next != std::string_view::npos && text[next] == (text[0] == '{' ? '"' : '{');
+}
+
 std::optional<Format> FromBytes(std::string_view bytes) {
   const std::string_view text = SkipBlank(bytes.substr(0, 1 << 16));
   if (text.empty()) return std::nullopt;
   if (IsOwlFunctional(text)) return Format::kOwlFunctional;
   if (IsMarkup(text)) return IsOwlXml(text) ? Format::kOwlXml : Format::kRdfXml;
+  if (IsJson(text)) return Format::kJsonLd;
   if (text[0] == '{' || StartsWithWord(text, "graph")) return Format::kTriG;
   if (StartsWithWord(text, "@prefix") || StartsWithWord(text, "@base") ||
       StartsWithWord(text, "prefix") || StartsWithWord(text, "base") || text[0] == '<' ||
@@ -123,8 +134,9 @@ std::optional<Format> FromBytes(std::string_view bytes) {
 [[noreturn]] void Refuse(const std::string& why) {
   throw Error(Code::kUnsupported, why)
       .WithHint(
-          "RDF/XML (.owl, .rdf), Turtle (.ttl), TriG (.trig), N-Triples (.nt), N-Quads (.nq), OWL "
-          "functional syntax (.ofn) and OWL/XML (.owx) are read");
+          "RDF/XML (.owl, .rdf), Turtle (.ttl), TriG (.trig), N-Triples (.nt), N-Quads (.nq), "
+          "JSON-LD "
+          "(.jsonld), OWL functional syntax (.ofn) and OWL/XML (.owx) are read");
 }
 
 // A syntax of OWL that is not read, whatever it was sent as.
@@ -159,6 +171,8 @@ std::string_view MediaType(Format format) {
       return "text/owl-functional";
     case Format::kOwlXml:
       return "application/owl+xml";
+    case Format::kJsonLd:
+      return "application/ld+json";
   }
   return "application/octet-stream";
 }

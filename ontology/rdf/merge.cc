@@ -24,8 +24,11 @@ class Merger {
   bool IsHeader(const Document& document, const Statement& s, const std::vector<std::uint32_t>& map,
                 std::uint32_t graph);
 
-  inline static const ReadOptions kNoLimits{"",       "",       {},        false,   SIZE_MAX,
-                                            SIZE_MAX, SIZE_MAX, INT32_MAX, SIZE_MAX};
+  inline static const ReadOptions kNoLimits{.max_bytes = SIZE_MAX,
+                                            .max_statements = SIZE_MAX,
+                                            .max_term_bytes = SIZE_MAX,
+                                            .max_depth = INT32_MAX,
+                                            .max_entity_bytes = SIZE_MAX};
 
   const std::vector<Document>& documents_;
   DocumentBuilder builder_;

@@ -14,4 +14,7 @@ Document ReadWithSerd(std::string_view bytes, Format format, const ReadOptions& 
 // RDF/XML, with libxml2's pass first.
 Document ReadRdfXml(std::string_view bytes, const ReadOptions& options);
 
+// JSON-LD. `bytes` are UTF-8 without byte order mark.
+Document ReadJsonLd(std::string_view bytes, const ReadOptions& options);
+
 }  // namespace lares::rdf

@@ -205,6 +205,9 @@ void RaptorPass::OnStatement(void* self, raptor_statement* statement) {
     const std::uint32_t subject = pass.TermOf(*statement->subject);
     const std::uint32_t predicate = pass.TermOf(*statement->predicate);
     pass.builder_.Add({subject, predicate, pass.ObjectOf(*statement->object, predicate)});
+    if (pass.options_.record_lines) {
+      pass.builder_.document().lines.push_back(static_cast<std::uint32_t>(pass.Line()));
+    }
   } catch (...) {
     pass.Fail();
   }

@@ -59,6 +59,7 @@ Document ReadRdf(std::string_view bytes, Format format, const ReadOptions& optio
   CheckText(bytes, options.source);
   if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
   if (format == Format::kOwlFunctional) return ReadOwlFunctional(bytes, options);
+  if (format == Format::kJsonLd) return ReadJsonLd(bytes, options);
   return ReadWithSerd(bytes, format, options);
 }
 

@@ -1,5 +1,5 @@
 // Reading RDF: RDF/XML (libxml2's reader, then Raptor), Turtle, TriG, N-Triples, N-Quads (Serd),
-// and OWL 2's functional syntax and OWL/XML as the triples they map to.
+// JSON-LD (our own), and OWL 2's functional syntax and OWL/XML as the triples they map to.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,8 @@ struct ReadOptions {
   // Namespaces that `recover` may take an undeclared entity for, beside rdf, rdfs, owl, xsd and the
   // document's own prefixes: prefix → IRI.
   std::map<std::string, std::string> known_namespaces;
-  bool recover = false;  // repair the known faults of RDF/XML, listing each as a remark
+  bool record_lines = false;  // fill Document::lines; slower
+  bool recover = false;       // repair the known faults of RDF/XML, listing each as a remark
   std::size_t max_bytes = 256u << 20;  // of the document
   std::size_t max_statements = 20'000'000;
   std::size_t max_term_bytes = 16u << 20;    // of one literal or IRI
@@ -31,6 +32,10 @@ struct ReadOptions {
 // characters, text is UTF-8. A relative IRI where no base is known is an error, so give one. The
 // Turtle family is read strictly (N-Triples: one statement to a line). RDF/XML nests 256 elements
 // at most, whatever max_depth says: libxml2's own bound. Columns count characters.
+//
+// JSON-LD 1.1 with the contexts that stand in the document; one by IRI is an error, and so is the
+// same key twice. What its standard has left out (names without a meaning, IRIs that are none) is
+// left out with a warning for each of the first 100.
 //
 // With `recover`, RDF/XML may have: malformed comments ("<!-x-->", "--" inside), references to
 // undefined entities whose namespace is known (built-in prefixes and the document's own xmlns), and

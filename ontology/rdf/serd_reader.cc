@@ -116,6 +116,7 @@ class SerdPass {
   std::unordered_map<std::string, std::string> prefixes_;
   std::string base_;
   std::size_t consumed_ = 0;
+  std::uint32_t line_ = 1;        // of what was consumed, when that is byte by byte
   std::string value_, datatype_;  // scratch
   Writing at_work_;               // the term at work …
   std::string culprit_text_;      // … when something was wrong with it
@@ -146,6 +147,7 @@ std::size_t SerdPass::Read(void* buffer, std::size_t size, std::size_t count, vo
   const std::size_t wanted = std::min(size * count, pass.bytes_.size() - pass.consumed_);
   std::memcpy(buffer, pass.bytes_.data() + pass.consumed_, wanted);
   pass.consumed_ += wanted;
+  if (wanted == 1 && *static_cast<const char*>(buffer) == '\n') ++pass.line_;
   return wanted;
 }
 
@@ -222,6 +224,7 @@ SerdStatus SerdPass::OnStatement(void* self, SerdStatementFlags, const SerdNode*
       }
     }
     pass.builder_.Add(statement);
+    if (pass.options_.record_lines) pass.builder_.document().lines.push_back(pass.line_);
   });
 }
 
@@ -358,7 +361,7 @@ Document ReadWithSerd(std::string_view bytes, Format format, const ReadOptions& 
     CheckTurtleText(bytes, format, options);
   }
   SerdPass pass(bytes, format, options);
-  pass.Run(kPageBytes);
+  pass.Run(options.record_lines ? kExact : kPageBytes);
   if (pass.has_label_clash()) return ReadRelabelled(bytes, format, options);
   if (pass.failed_in_syntax()) Throw(pass, bytes, options);
   if (pass.failed() || pass.has_stopped()) {

@@ -36,7 +36,7 @@ void CheckDocument(const Document& document, bool may_have_graphs) {
     CheckStatement(document, statement);
     if (!may_have_graphs && statement.graph != Statement::kDefaultGraph) {
       throw Error(Code::kInvalid, "the document has named graphs, which this format cannot hold")
-          .WithHint("TriG and N-Quads can");
+          .WithHint("TriG, N-Quads and JSON-LD can");
     }
   }
 }
@@ -113,8 +113,12 @@ OwlText WriteAxioms(const Document& document, Format format) {
   return written;
 }
 
+bool HoldsGraphs(Format format) {
+  return format == Format::kTriG || format == Format::kNQuads || format == Format::kJsonLd;
+}
+
 std::string WriteRdf(const Document& document, Format format) {
-  CheckDocument(document, format == Format::kTriG || format == Format::kNQuads);
+  CheckDocument(document, HoldsGraphs(format));
   switch (format) {
     case Format::kNTriples:
     case Format::kNQuads:
@@ -127,6 +131,8 @@ std::string WriteRdf(const Document& document, Format format) {
     case Format::kOwlFunctional:
     case Format::kOwlXml:
       return WriteOwl(document, format);
+    case Format::kJsonLd:
+      return WriteJsonLd(document);
   }
   throw Error(Code::kInternal, "a format that is none");
 }

@@ -9,6 +9,9 @@
 
 namespace lares::rdf {
 
+// Whether the format has named graphs.
+bool HoldsGraphs(Format format);
+
 // `document` in `format`: statements grouped by subject, prefixes used where they shorten, blank
 // nodes used once written inline in Turtle. Reading the result gives the same graph (up to blank
 // node labels). RDF/XML: throws kInvalid for a predicate that no XML name can spell. OWL's own

@@ -18,6 +18,7 @@ std::string WriteLines(const Document& document);
 // Turtle or, with graphs, TriG.
 std::string WriteTurtle(const Document& document);
 std::string WriteRdfXml(const Document& document);
+std::string WriteJsonLd(const Document& document);
 
 // UTF-8 text that XML can hold, as character data or as the value of an attribute.
 std::string EscapedXml(std::string_view text, bool is_attribute);

@@ -329,6 +329,11 @@ TermId Dictionary::SameValue(TermId id) const {
   return first == state_->first_of.end() ? id : first->second;
 }
 
+bool Dictionary::has_twins() const {
+  const std::shared_lock lock(state_->twins_mutex);
+  return !state_->twins_of.empty();
+}
+
 std::vector<TermId> Dictionary::ValueTwins(TermId id) const {
   if (!state_->Known(id).has_twins.load(std::memory_order_acquire)) return {};
   const std::shared_lock lock(state_->twins_mutex);

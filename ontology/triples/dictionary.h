@@ -39,6 +39,8 @@ class Dictionary {
   // The first literal given an id that denotes the same data value (ontology/rdf/literal_value.h);
   // `id` itself when it is no literal, has no known value, or is the first.
   TermId SameValue(TermId id) const;
+  // Whether any two literals denote one value.
+  bool has_twins() const;
   // All literals of one value, `id` among them, oldest first; empty when it is alone in its value.
   std::vector<TermId> ValueTwins(TermId id) const;
   // How many terms there are: ids run from 1 to size().

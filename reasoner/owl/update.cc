@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "ontology/triples/sorting.h"
 #include "reasoner/owl/retract.h"
+#include "reasoner/owl/values.h"
 
 namespace lares::owl {
 namespace {
@@ -37,7 +38,11 @@ Triples Union(const std::vector<rdf::Graph>& graphs) {
 }
 
 Triples StoredIn(const rdf::View& layer) {
-  Triples all = layer.Match({});
+  Triples all;
+  layer.ForEachStored({}, [&](const rdf::Triple& triple) {
+    all.push_back(triple);
+    return true;
+  });
   rdf::SortAndDeduplicate(all);
   return all;
 }
@@ -64,7 +69,6 @@ class Change {
         stop_(std::move(stop)),
         words_(below.dictionary()),
         asserted_(Union(after)) {
-    options_.on_derivation = nullptr;
     const Triples asserted_before = Union(before.graphs());
     for (const rdf::Triple& triple : Minus(asserted_before, asserted_)) {
       if (layer_.Contains(triple)) removed_.push_back(triple);
@@ -101,10 +105,6 @@ class Change {
   }
 
  private:
-  bool HasEquality(const rdf::View& view) const {
-    return view.Estimate({{}, words_.same_as, {}}) > 0;
-  }
-
   bool NeedsRecomputation() const {
     const auto is_equality = [&](const auto& triple) { return triple.predicate == words_.same_as; };
     // A cell at a list of the layers below: what that list said alone is said anew with it.
@@ -116,8 +116,9 @@ class Change {
     if (before_.clash_count() > before_.clashes().size()) return true;
     if (added_.size() >= std::max<std::size_t>(before_.size(), 1)) return true;
     if (std::any_of(added_.begin(), added_.end(), is_equality)) return true;
+    if (whole_.equality() != nullptr) return true;
     if (removed_.empty()) return false;
-    return 2 * removed_.size() >= asserted_.size() || HasEquality(whole_) ||
+    return 2 * removed_.size() >= asserted_.size() || DependsOnValues(whole_) ||
            std::any_of(removed_.begin(), removed_.end(), extends_list_below);
   }
 
@@ -145,15 +146,15 @@ class Change {
   bool Add(Triples& kept, bool kept_is_before, Triples fresh, rdf::Inference& inference) const {
     rdf::View standing = whole_;
     if (!kept_is_before) {
-      standing = below_.With(std::make_shared<const rdf::Layer>(std::vector<rdf::Graph>{},
-                                                                rdf::Inference{kept, {}, 0, {}}));
+      standing = below_.With(std::make_shared<const rdf::Layer>(
+          std::vector<rdf::Graph>{}, rdf::Inference{kept, {}, 0, {}, {}}, &below_.dictionary()));
     }
     std::vector<rdf::Graph> graphs(1);
     rdf::SortAndDeduplicate(fresh);
     graphs[0].triples = std::move(fresh);
     const auto more = Materialise(standing, std::move(graphs), options_, stop_);
     const rdf::View added = rdf::View(below_.shared_dictionary()).With(more);
-    if (HasEquality(added)) return false;
+    if (more->equality() != nullptr) return false;
     const Triples stored = StoredIn(added);
     const auto middle = static_cast<std::ptrdiff_t>(kept.size());
     kept.insert(kept.end(), stored.begin(), stored.end());
@@ -192,12 +193,9 @@ std::shared_ptr<const rdf::Layer> Update(const rdf::View& below, const rdf::Laye
                                          const Options& options, std::stop_token stop) {
   std::optional<rdf::Inference> inference =
       Change(below, before, graphs_after, options, stop).Run();
-  if (!inference) {
-    Options anew = options;
-    anew.on_derivation = nullptr;
-    return Materialise(below, std::move(graphs_after), anew, std::move(stop));
-  }
-  return std::make_shared<const rdf::Layer>(std::move(graphs_after), std::move(*inference));
+  if (!inference) return Materialise(below, std::move(graphs_after), options, std::move(stop));
+  return std::make_shared<const rdf::Layer>(std::move(graphs_after), std::move(*inference),
+                                            &below.dictionary());
 }
 
 }  // namespace lares::owl

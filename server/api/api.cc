@@ -16,11 +16,12 @@ http::Router MakeRouter(Context& context) {
   AddEnvironmentRoutes(router, context);
   AddEnvironmentUploadRoute(router, context);
   AddEnvironmentDownloadRoutes(router, context);
+  AddQuarantineRoutes(router, context);
   AddPlanRoutes(router, context);
   AddLikelyPlaceRoutes(router, context);
+  AddPrologRoutes(router, context);
   AddSparqlRoutes(router, context);
   AddWatchRoutes(router, context);
-  AddPrologRoutes(router, context);
   return router;
 }
 

@@ -22,10 +22,10 @@ struct Context {
   server::Knowledge& knowledge;
   std::shared_ptr<http::Metrics> metrics = std::make_shared<http::Metrics>();
   std::shared_ptr<TextCache> listed = std::make_shared<TextCache>();  // documents in lists
+  std::shared_ptr<prolog::Workers> workers = std::make_shared<prolog::Workers>();  // for goals
   std::shared_ptr<server::Snapshots> snapshots = std::make_shared<server::Snapshots>();
   std::shared_ptr<WatchHub> watches;  // made with its routes
-  std::shared_ptr<prolog::Workers> workers = std::make_shared<prolog::Workers>();  // for goals
-  std::string openapi;  // the document, made once all routes are known
+  std::string openapi;                // the document, made once all routes are known
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
 };
 
@@ -41,9 +41,10 @@ void AddEnvironmentUploadRoute(http::Router& router, Context& context);
 void AddEnvironmentDownloadRoutes(http::Router& router, Context& context);
 void AddPlanRoutes(http::Router& router, Context& context);
 void AddLikelyPlaceRoutes(http::Router& router, Context& context);
+void AddPrologRoutes(http::Router& router, Context& context);
+void AddQuarantineRoutes(http::Router& router, Context& context);
 void AddSparqlRoutes(http::Router& router, Context& context);
 void AddWatchRoutes(http::Router& router, Context& context);
-void AddPrologRoutes(http::Router& router, Context& context);
 void AddOperationRoutes(http::Router& router, Context& context);
 
 }  // namespace lares::api

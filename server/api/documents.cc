@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "server/api/answers.h"
+#include "server/api/quarantine.h"
 #include "server/http/etag.h"
 #include "server/http/media_type.h"
 #include "server/http/multipart.h"
@@ -123,14 +124,14 @@ http::Response DeleteDocument(const http::Request& request, DocumentKind kind, C
 
 const std::vector<std::string>& RdfUploadTypes() {
   static const std::vector<std::string> types = {
-      "application/rdf+xml",   "text/turtle",         "application/trig",
-      "application/n-triples", "application/n-quads", "text/owl-functional",
-      "application/owl+xml",   "application/xml",     "application/octet-stream",
-      "multipart/form-data"};
+      "application/rdf+xml",      "text/turtle",         "application/trig",
+      "application/n-triples",    "application/n-quads", "text/owl-functional",
+      "application/owl+xml",      "application/ld+json", "application/xml",
+      "application/octet-stream", "multipart/form-data"};
   return types;
 }
 
-Upload ReadUpload(const http::Request& request) {
+Upload ReadUpload(const http::Request& request, bool needs_id) {
   Upload upload;
   const auto media = http::ParseMediaType(request.headers.Get("Content-Type"));
   if (media && media->type == "multipart/form-data") {
@@ -140,6 +141,7 @@ Upload ReadUpload(const http::Request& request) {
     upload.file_name = http::SafeFileName(request.Query("file_name").value_or(""));
     upload.bytes = http::ReadWholeBody(request, kMaxDocumentBytes);
   }
+  if (!needs_id) return upload;
   if (const auto id = request.params.find("id"); id != request.params.end()) {
     upload.id = id->second;
   } else if (const auto query = request.Query("id")) {
@@ -176,6 +178,11 @@ server::PutRequest ToPutRequest(DocumentKind kind, const http::Request& request,
 
 http::Response PutAnswerToResponse(const server::PutAnswer& answer, const std::string& collection,
                                    bool existed) {
+  if (!answer.quarantined.empty()) {
+    http::Response response = JsonAnswer(ToJson(answer), 202);
+    response.headers.Set("Location", "/v1/quarantine/" + http::PercentEncode(answer.document.id));
+    return response;
+  }
   http::Response response = JsonAnswer(ToJson(answer), existed ? 200 : 201);
   response.headers.Set("ETag", answer.document.etag());
   response.headers.Set("Location", collection + "/" + http::PercentEncode(answer.document.id));
@@ -184,9 +191,10 @@ http::Response PutAnswerToResponse(const server::PutAnswer& answer, const std::s
 
 void AddDocumentPutRoutes(const DocumentRoutes& routes, http::Router& router, Context& context) {
   const auto put = [routes, &context](const http::Request& request) {
-    const server::PutRequest wanted = ToPutRequest(routes.kind, request, context.store);
+    server::PutRequest wanted = ToPutRequest(routes.kind, request, context.store);
+    ReadRights(request, wanted);
     const bool existed = context.store.FindDocument(routes.kind, wanted.id).has_value();
-    return PutAnswerToResponse(context.knowledge.Put(wanted), routes.collection, existed);
+    return PutAnswerToResponse(Put(context, wanted), routes.collection, existed);
   };
   router.Add({"PUT", routes.collection + "/{id}", "put" + routes.noun, put, RdfUploadTypes(),
               kMaxDocumentBytes + (1u << 20)});

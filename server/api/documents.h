@@ -22,14 +22,15 @@ struct Upload {
   std::string bytes;
   std::string id;  // of the route, of ?id=, of a form's field "id", else the file name's stem
 };
-// Throws kInvalid when there is neither an id nor a file name.
-Upload ReadUpload(const http::Request& request);
+// Throws kInvalid when there is neither an id nor a file name, unless none is needed.
+Upload ReadUpload(const http::Request& request, bool needs_id = true);
 
 // The request as PutRequest without the kind's own fields: If-Match, ?recover= and the upload.
 server::PutRequest ToPutRequest(store::DocumentKind kind, const http::Request& request,
                                 const store::Store& store);
 
-// 201 for a first version, 200 for a later one; with ETag and Location.
+// 201 for a first version, 200 for a later one, with ETag and Location; 202 for one kept aside,
+// with the Location of that.
 http::Response PutAnswerToResponse(const server::PutAnswer& answer, const std::string& collection,
                                    bool existed);
 

@@ -34,27 +34,22 @@ const store::LayerInfo& FindLayer(const store::EnvironmentVersion& version,
 }
 
 // How a semantic layer can be given, whatever it was received as.
-struct Rendering {
-  rdf::Format format;
-  std::string_view extension;
-};
-constexpr std::array<Rendering, 4> kRenderings = {{{rdf::Format::kTurtle, "ttl"},
-                                                   {rdf::Format::kRdfXml, "owl"},
-                                                   {rdf::Format::kOwlFunctional, "ofn"},
-                                                   {rdf::Format::kOwlXml, "owx"}}};
+constexpr rdf::Format kRendered[] = {
+    rdf::Format::kTurtle, rdf::Format::kRdfXml, rdf::Format::kTriG,          rdf::Format::kNTriples,
+    rdf::Format::kNQuads, rdf::Format::kJsonLd, rdf::Format::kOwlFunctional, rdf::Format::kOwlXml};
 
 http::Response Rendered(const store::EnvironmentVersion& version, const store::LayerInfo& layer,
-                        const Rendering& rendering, Context& context) {
-  const std::string extension(rendering.extension);
+                        rdf::Format format, Context& context) {
+  const std::string extension =
+      LayerFileName("", "", rdf::MediaType(format)).substr(1);  // without the dot
   http::Response response;
-  response.headers.Set("Content-Type", std::string(rdf::MediaType(rendering.format)));
+  response.headers.Set("Content-Type", std::string(rdf::MediaType(format)));
   response.headers.Set("ETag", BlobEtag(layer.blob, "-" + extension));
   response.headers.Set("Content-Disposition", ContentDisposition("semantic." + extension));
   try {
-    response.body =
-        context.knowledge.RenderSemantic(version.environment, version.number, rendering.format);
+    response.body = context.knowledge.RenderSemantic(version.environment, version.number, format);
   } catch (const Error& error) {
-    if (error.code() != Code::kInvalid || !rdf::HoldsOnlyAxioms(rendering.format)) throw;
+    if (error.code() != Code::kInvalid || !rdf::HoldsOnlyAxioms(format)) throw;
     throw http::ProblemError("not-acceptable", error.what());  // more than the format can say
   }
   return response;
@@ -63,10 +58,8 @@ http::Response Rendered(const store::EnvironmentVersion& version, const store::L
 // The bytes as received, unless Accept asks for another way to write the same graph.
 http::Response SemanticLayer(const http::Request& request, const store::EnvironmentVersion& version,
                              const store::LayerInfo& layer, Context& context) {
-  std::vector<std::string> offered = {layer.media_type};
-  for (const Rendering& rendering : kRenderings) {
-    offered.emplace_back(rdf::MediaType(rendering.format));
-  }
+  std::vector<std::string> offered{layer.media_type};
+  for (const rdf::Format format : kRendered) offered.emplace_back(rdf::MediaType(format));
   const auto chosen = http::ChooseMediaType(request.headers.GetList("Accept"), offered);
   if (!chosen) {
     throw http::ProblemError("not-acceptable",
@@ -77,11 +70,7 @@ http::Response SemanticLayer(const http::Request& request, const store::Environm
     response = BlobAnswer(context.store, layer.blob, layer.media_type, layer.file_name,
                           BlobEtag(layer.blob));
   } else {
-    for (const Rendering& rendering : kRenderings) {
-      if (*chosen == rdf::MediaType(rendering.format)) {
-        response = Rendered(version, layer, rendering, context);
-      }
-    }
+    response = Rendered(version, layer, rdf::GuessFormat(*chosen, "", ""), context);
   }
   response.headers.Set("Vary", "Accept");
   return response;

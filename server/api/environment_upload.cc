@@ -6,6 +6,7 @@
 #include "mapping/environment/layer_format.h"
 #include "server/api/answers.h"
 #include "server/api/context.h"
+#include "server/api/quarantine.h"
 #include "server/http/etag.h"
 #include "server/http/multipart.h"
 #include "server/http/url.h"
@@ -120,7 +121,7 @@ bool IsEmpty(const store::NewVersion& version) {
          version.label.empty() && version.author.empty() && version.note.empty();
 }
 
-http::Response PutVersion(const http::Request& request, Context& context) {
+http::Response PutVersionOf(const http::Request& request, Context& context) {
   store::NewVersion version;
   version.environment = request.Param("id");
   if (!IsIdentifier(version.environment)) {
@@ -138,7 +139,7 @@ http::Response PutVersion(const http::Request& request, Context& context) {
   if (!version.type_iri.empty()) {
     version.type_iri = context.knowledge.ResolveClass(version.type_iri).iri;
   }
-  server::Knowledge::VersionAnswer answer = context.knowledge.PutVersion(version);
+  server::Knowledge::VersionAnswer answer = PutVersion(context, version);
   for (std::string& warning : environment::WarnOnExtents(form.facts())) {
     answer.warnings.push_back(std::move(warning));
   }
@@ -159,7 +160,7 @@ void AddEnvironmentUploadRoute(http::Router& router, Context& context) {
   router.Add({"POST",
               "/v1/environments/{id}/versions",
               "putEnvironmentVersion",
-              [&context](const http::Request& request) { return PutVersion(request, context); },
+              [&context](const http::Request& request) { return PutVersionOf(request, context); },
               {"multipart/form-data"},
               kMaxUploadBytes});
 }

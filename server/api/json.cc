@@ -43,6 +43,24 @@ Json ToJson(const rdf::Remark& remark) {
   return {{"message", remark.message}, {"place", PlaceToJson(remark.place)}};
 }
 
+Json ToJson(const server::CheckAnswer& answer) {
+  Json json{{"clean", answer.report.is_clean},
+            {"owl2_rl", answer.report.is_owl2_rl},
+            {"statements", answer.statements},
+            {"findings", Json::array()}};
+  for (const profile::Finding& finding : answer.report.findings) {
+    Json entry{{"kind", profile::ToString(finding.kind)},
+               {"message", finding.message},
+               {"count", finding.count},
+               {"places", Json::array()},
+               {"names", finding.names}};
+    for (const Place& place : finding.places) entry["places"].push_back(PlaceToJson(place));
+    json["findings"].push_back(std::move(entry));
+  }
+  AddRemarks(answer.remarks, answer.warnings, json);
+  return json;
+}
+
 void AddRemarks(const std::vector<rdf::Remark>& remarks, const std::vector<std::string>& warnings,
                 Json& to) {
   to["repairs"] = Json::array();
@@ -137,6 +155,7 @@ Json ToJson(const server::PutAnswer& answer) {
   json["document"] = ToJson(answer.document);
   json["statements"] = answer.statements;
   json["inferred"] = answer.inferred;
+  if (!answer.quarantined.empty()) json["quarantined"] = answer.quarantined;
   AddRemarks(answer.remarks, answer.warnings, json);
   if (answer.document.kind == store::DocumentKind::kRecipe) {
     json["tasks"] = Json::array();

@@ -19,6 +19,7 @@ using Json = nlohmann::ordered_json;
 Json ToJson(const recipes::Resource& resource);
 Json ToJson(const std::vector<recipes::Resource>& resources);
 Json ToJson(const rdf::Remark& remark);
+Json ToJson(const server::CheckAnswer& answer);
 Json ToJson(const store::DocumentInfo& document);
 Json ToJson(const store::LayerInfo& layer);
 Json ToJson(const store::EnvironmentVersion& version);

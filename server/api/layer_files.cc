@@ -15,6 +15,7 @@ std::string UsualExtension(std::string_view layer, std::string_view media_type) 
   if (media_type == "application/n-quads") return ".nq";
   if (media_type == "text/owl-functional") return ".ofn";
   if (media_type == "application/owl+xml") return ".owx";
+  if (media_type == "application/ld+json") return ".jsonld";
   if (layer == "octomap") return ".bt";
   if (layer == "grid") return ".tar";
   if (layer == "cloud") return ".ply";

@@ -6,6 +6,7 @@
 #include "server/api/answers.h"
 #include "server/api/context.h"
 #include "server/api/documents.h"
+#include "server/api/quarantine.h"
 #include "server/http/etag.h"
 #include "server/http/media_type.h"
 #include "server/http/multipart.h"
@@ -83,6 +84,7 @@ http::Response PutModel(const http::Request& request, Context& context) {
   put.kind = store::DocumentKind::kObjectModel;
   put.id = request.Param("id");
   put.recover = QueryFlag(request, "recover");
+  ReadRights(request, put);
   if (!IsIdentifier(put.id)) throw Error(Code::kInvalid, "'" + put.id + "' is no id");
   const auto current = context.store.FindDocument(put.kind, put.id);
   put.if_match =
@@ -90,7 +92,7 @@ http::Response PutModel(const http::Request& request, Context& context) {
   ModelForm form(context.store, put);
   http::ReadMultipart(request, form.handler(), {4096, 8192});
   if (!form.described()) throw Error(Code::kInvalid, "the form has no part 'description'");
-  return PutAnswerToResponse(context.knowledge.Put(put), kCollection, current.has_value());
+  return PutAnswerToResponse(Put(context, put), kCollection, current.has_value());
 }
 
 http::Response ListModels(const http::Request& request, Context& context) {

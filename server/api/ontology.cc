@@ -15,7 +15,13 @@ namespace {
 constexpr const char* kModules = "/v1/ontology/modules";
 
 http::Response ListModules(const http::Request& request, const Context& context) {
-  const std::vector<server::Knowledge::Module> modules = context.knowledge.Modules();
+  std::vector<server::Knowledge::Module> modules = context.knowledge.Modules();
+  for (const store::DocumentInfo& aside :
+       context.store.ListDocuments(store::DocumentKind::kQuarantined)) {
+    constexpr std::string_view kPrefix = "ontology.";
+    if (!aside.id.starts_with(kPrefix)) continue;
+    modules.push_back({aside.id.substr(kPrefix.size()), "quarantined", 0});
+  }
   return Page(
       request, modules.size(), [&](std::size_t i) { return modules[i].id; },
       [&](std::size_t i) {
@@ -41,6 +47,16 @@ std::optional<http::Response> BuiltInModule(const std::string& id) {
     return response;
   }
   return std::nullopt;
+}
+
+http::Response CheckOntology(const http::Request& request, const Context& context) {
+  Upload upload = ReadUpload(request, false);
+  server::CheckRequest check;
+  check.media_type = std::move(upload.media_type);
+  check.file_name = std::move(upload.file_name);
+  check.bytes = std::move(upload.bytes);
+  check.recover = QueryFlag(request, "recover");
+  return JsonAnswer(ToJson(context.knowledge.Check(check)));
 }
 
 http::Response ListAliases(const http::Request& request, const Context& context) {
@@ -107,6 +123,9 @@ void AddOntologyRoutes(http::Router& router, Context& context) {
     }
     router.Add(std::move(route));
   }
+  router.Add({"POST", "/v1/ontology/check", "checkOntology",
+              [&context](const http::Request& request) { return CheckOntology(request, context); },
+              RdfUploadTypes(), kMaxDocumentBytes + (1u << 20)});
   router.Add({"GET",
               "/v1/ontology/aliases",
               "listAliases",

@@ -108,6 +108,12 @@ http::Response MetricsText(const Context& context) {
             static_cast<double>(goals.refused)},
            {"lares_prolog_snapshot_bytes", "Copies of views that are kept for goals.",
             static_cast<double>(goals.snapshot_bytes)},
+           {"lares_snapshots_pinned", "Snapshots that running questions hold.",
+            static_cast<double>(context.snapshots->count())},
+           {"lares_snapshot_oldest_seconds", "Age of the one that was pinned first; 0 without any.",
+            std::chrono::duration<double>(context.snapshots->OldestAge()).count()},
+           {"lares_watch_subscribers", "Clients that watch a query.",
+            static_cast<double>(context.watches->subscribers())},
            {"lares_uptime_seconds", "Since the server started.",
             std::chrono::duration<double>(uptime).count()}}) +
       GoalsEnded(goals);

@@ -65,9 +65,10 @@ int Run(int argc, const char* const* argv) {
     AddPrior(app, options);
     AddObjectModel(app, options);
     AddOntology(app, options);
+    AddProlog(app, options);
+    AddQuarantine(app, options);
     AddSparql(app, options);
     AddWatch(app, options);
-    AddProlog(app, options);
     AddStatus(app, options);
     return ParseAndRun(app, options, argc, argv);
   } catch (const std::exception& error) {

@@ -14,6 +14,11 @@ namespace {
 
 std::string Summary(const DocumentCommand& command, const Json& answer) {
   const Json& document = answer.at("document");
+  if (answer.contains("quarantined")) {
+    return command.noun + " kept aside as " + TextOf(document, "id") + ", version " +
+           std::to_string(document.value("version", 0)) + ":\n  " + TextOf(answer, "quarantined") +
+           "\n";
+  }
   std::string text = command.noun + " " + TextOf(document, "id") + ", version " +
                      std::to_string(document.value("version", 0)) + ": " +
                      Plural(answer.value("statements", std::size_t{0}), "statement") + " read, " +
@@ -42,6 +47,8 @@ Json PutOne(Remote& remote, const DocumentCommand& command, const std::filesyste
   request.query = put.query;
   request.query.emplace("file_name", file.filename().string());
   if (put.recover) request.query.emplace("recover", "true");
+  if (put.editor) request.query.emplace("editor", "true");
+  if (put.quarantine) request.query.emplace("quarantine", "true");
   request.headers.Set("Content-Type", http::MediaTypeOfFile(file.filename().string()));
   if (!put.if_match.empty()) {
     request.headers.Set(put.if_match == "none" ? "If-None-Match" : "If-Match",
@@ -130,6 +137,21 @@ void RemoveDocuments(const DocumentCommand& command, const std::vector<std::stri
   if (options.json) PrintJson({{"removed", removed}});
 }
 
+void ReleaseDocuments(const DocumentCommand& command, const std::vector<std::string>& ids,
+                      bool editor, const Options& options) {
+  Remote remote(options.server);
+  Json answers = Json::array();
+  for (const std::string& id : ids) {
+    http::ClientRequest request;
+    request.method = "POST";
+    request.path = PathOf("/v1/quarantine", {command.noun + "." + id, "release"});
+    if (editor) request.query.emplace("editor", "true");
+    answers.push_back(Json::parse(remote.Send(request).body));
+    if (!options.json) Print(Summary(command, answers.back()));
+  }
+  if (options.json) PrintJson(answers);
+}
+
 void AddDocumentCommands(CLI::App& app, const DocumentCommand& command, const Options& options,
                          const std::string& example_file) {
   const std::string stem = std::filesystem::path(example_file).stem().string();
@@ -144,6 +166,9 @@ void AddDocumentCommands(CLI::App& app, const DocumentCommand& command, const Op
   put->add_option("--id", put_options->id, "another id (with one file)");
   put->add_flag("--recover", put_options->recover,
                 "repair known faults of RDF/XML and list each repair");
+  put->add_flag("--editor", put_options->editor, "you may say new things about terms of others");
+  put->add_flag("--quarantine", put_options->quarantine,
+                "keep aside what contradicts what is known, instead of refusing it");
   put->add_option("--if-match", put_options->if_match,
                   "only if the stored one still has this ETag; 'none': only if there is none");
   put->callback([=, &options] { PutDocuments(command, *put_options, options); });
@@ -166,6 +191,14 @@ void AddDocumentCommands(CLI::App& app, const DocumentCommand& command, const Op
   auto ids = std::make_shared<std::vector<std::string>>();
   remove->add_option("ID", *ids)->required();
   remove->callback([=, &options] { RemoveDocuments(command, *ids, options); });
+
+  auto* release = AddCommand(app, "release", "Take what was kept aside (see: lares quarantine)",
+                             lares + "release " + stem + "\n" + lares + "release --editor " + stem);
+  auto released = std::make_shared<std::vector<std::string>>();
+  auto editor = std::make_shared<bool>(false);
+  release->add_option("ID", *released)->required();
+  release->add_flag("--editor", *editor, "you may say new things about terms of others");
+  release->callback([=, &options] { ReleaseDocuments(command, *released, *editor, options); });
 }
 
 void PrintError(const std::exception& error) {

@@ -23,6 +23,8 @@ struct PutOptions {
   std::vector<std::string> files;
   std::string id;
   bool recover = false;
+  bool editor = false;
+  bool quarantine = false;
   std::string if_match;
   std::multimap<std::string, std::string> query;
 };
@@ -39,7 +41,11 @@ void GetDocument(const DocumentCommand& command, const std::string& id, int vers
 void RemoveDocuments(const DocumentCommand& command, const std::vector<std::string>& ids,
                      const Options& options);
 
-// Adds put, list, get and remove below `app`.
+// Takes documents that were kept aside, now that they may contradict nothing.
+void ReleaseDocuments(const DocumentCommand& command, const std::vector<std::string>& ids,
+                      bool editor, const Options& options);
+
+// Adds put, list, get, remove and release below `app`.
 void AddDocumentCommands(CLI::App& app, const DocumentCommand& command, const Options& options,
                          const std::string& example_file);
 

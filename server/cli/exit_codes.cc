@@ -14,10 +14,10 @@ const std::vector<ExitMeaning>& ExitMeanings() {
       {ExitCode::kInternal, "a file or connection failed, or Lares itself did", {"io", "internal"}},
       {ExitCode::kUsage, "the command line was wrong", {}},
       {ExitCode::kRefused,
-       "the input was refused: malformed, too large, not supported, not allowed",
+       "the input was refused: malformed, contradictory, too large, not supported, not allowed",
        {"invalid", "too-large", "unsupported", "forbidden", "bad-request", "method-not-allowed",
         "not-acceptable", "length-unknown", "uri-too-long", "range-not-satisfiable",
-        "headers-too-large", "goal-error"}},
+        "headers-too-large", "goal-error", "foreign-term", "contradiction"}},
       {ExitCode::kNoSuchName,
        "a name that nothing, or more than one thing, answers to",
        {"not-found", "ambiguous"}},
@@ -31,6 +31,7 @@ const std::vector<ExitMeaning>& ExitMeanings() {
       {ExitCode::kUnavailable,
        "the server cannot do it now: storage full, stopping, out of time",
        {"unavailable", "timeout", "request-timeout"}},
+      {ExitCode::kFindings, "a check found something", {}},
   };
   return meanings;
 }
@@ -45,6 +46,7 @@ ExitCode ExitCodeOf(std::string_view problem_code) {
 
 ExitCode ExitCodeOf(const std::exception& error) {
   if (dynamic_cast<const http::NoServerError*>(&error) != nullptr) return ExitCode::kNoServer;
+  if (dynamic_cast<const FindingsError*>(&error) != nullptr) return ExitCode::kFindings;
   if (const auto* remote = dynamic_cast<const RemoteError*>(&error)) {
     return ExitCodeOf(remote->problem_code());
   }

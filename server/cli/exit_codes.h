@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/error.h"
+
 namespace lares::cli {
 
 enum class ExitCode {
@@ -18,6 +20,13 @@ enum class ExitCode {
   kNoServer = 6,
   kNoPlan = 7,
   kUnavailable = 8,
+  kFindings = 9,
+};
+
+// Thrown when a check has found something, after it was printed.
+class FindingsError : public Error {
+ public:
+  explicit FindingsError(const std::string& message) : Error(Code::kInvalid, message) {}
 };
 
 struct ExitMeaning {

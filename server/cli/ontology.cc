@@ -43,6 +43,7 @@ void AddOntology(CLI::App& app, const Options& options) {
   AddDocumentCommands(*ontology, kModules, options, "knowrob.owl");
   ontology->get_subcommand("list")->callback([&options] { ListModules(options); });
   AddOntologyConvert(*ontology);
+  AddOntologyCheck(*ontology, options);
   auto* aliases = AddCommand(*ontology, "aliases", "Historic names and what they mean here",
                              "  lares ontology aliases\n  lares ontology aliases --json");
   aliases->callback([&options] { ListAliases(options); });

@@ -112,7 +112,7 @@ std::optional<std::string> ChooseMediaType(std::string_view accept,
 }
 
 std::string MediaTypeOfFile(std::string_view file_name) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 21> kTypes{{
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 22> kTypes{{
       {".owl", "application/rdf+xml"},
       {".rdf", "application/rdf+xml"},
       {".ttl", "text/turtle"},
@@ -121,6 +121,7 @@ std::string MediaTypeOfFile(std::string_view file_name) {
       {".nq", "application/n-quads"},
       {".ofn", "text/owl-functional"},
       {".owx", "application/owl+xml"},
+      {".jsonld", "application/ld+json"},
       {".tsv", "text/tab-separated-values"},
       {".json", "application/json"},
       {".yaml", "application/yaml"},

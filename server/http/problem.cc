@@ -1,6 +1,7 @@
 #include "server/http/problem.h"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace lares::http {
 namespace {
@@ -49,6 +50,9 @@ const std::vector<ProblemKind>& ProblemKinds() {
       {"uri-too-long", 414, "The address is too long"},
       {"range-not-satisfiable", 416, "The range lies outside of the content"},
       {"headers-too-large", 431, "The request's headers are too large"},
+      // Of documents: well written, but not to be taken.
+      {"foreign-term", 422, "It says new things about terms of others"},
+      {"contradiction", 422, "It contradicts what is known"},
       // Of plans: the question was understood, and the answer is no.
       {"not-feasible", 422, "The robot cannot do that"},
       {"choice-needed", 422, "A person has to choose"},
@@ -68,6 +72,11 @@ const ProblemKind& FindProblemKind(std::string_view code) {
 
 ProblemError::ProblemError(std::string_view problem_code, const std::string& message)
     : Error(Code::kInvalid, message), problem_code_(problem_code) {
+  FindProblemKind(problem_code);
+}
+
+ProblemError::ProblemError(std::string_view problem_code, const std::string& message, Place place)
+    : Error(Code::kInvalid, message, std::move(place)), problem_code_(problem_code) {
   FindProblemKind(problem_code);
 }
 

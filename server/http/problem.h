@@ -28,6 +28,7 @@ const ProblemKind& FindProblemKind(std::string_view code);
 class ProblemError : public Error {
  public:
   ProblemError(std::string_view problem_code, const std::string& message);
+  ProblemError(std::string_view problem_code, const std::string& message, Place place);
 
   const std::string& problem_code() const { return problem_code_; }
   // A JSON object whose members join the document's; "" for none.

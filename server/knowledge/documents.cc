@@ -9,6 +9,8 @@
 #include "ontology/rdf/vocabulary.h"
 #include "reasoner/owl/materialise.h"
 #include "server/knowledge/knowledge.h"
+#include "server/knowledge/quarantine.h"
+#include "server/knowledge/refusal.h"
 #include "server/knowledge/state.h"
 
 namespace lares::server {
@@ -62,30 +64,6 @@ void AddNames(const Resource& resource, std::vector<store::DocumentName>& names)
   if (resource.label != LocalName(resource.iri)) {
     names.push_back({resource.label, "label", resource.iri});
   }
-}
-
-// The imports that neither our modules nor stored documents answer: nothing is ever fetched.
-std::vector<std::string> AbsentImports(const rdf::Document& document,
-                                       const std::vector<Knowledge::Module>& modules,
-                                       const rdf::AliasTable& aliases) {
-  std::vector<std::string> warnings;
-  for (const std::string& import : document.imports) {
-    std::string_view name = import;
-    while (!name.empty() && (name.back() == '#' || name.back() == '/')) name.remove_suffix(1);
-    const std::string file(name.substr(name.find_last_of('/') + 1));
-    const std::string stem = StemOf(file);
-    const bool is_module = std::any_of(modules.begin(), modules.end(),
-                                       [&](const auto& module) { return module.id == stem; });
-    const bool is_aliased =
-        std::any_of(aliases.aliases().begin(), aliases.aliases().end(), [&](const auto& alias) {
-          return alias.is_namespace && alias.alias.ends_with("/" + file + "#");
-        });
-    if (!is_module && !is_aliased) {
-      warnings.push_back("imports <" + import +
-                         ">, which is not in the local catalogue; nothing is fetched");
-    }
-  }
-  return warnings;
 }
 
 // One document on its way in.
@@ -189,10 +167,27 @@ store::DocumentInfo Store(store::Store& store, const Incoming& incoming) {
   document.media_type = request.media_type;
   document.file_name = request.file_name;
   document.bytes = request.bytes;
-  document.details_json = incoming.details.dump();
+  json details = incoming.details;
+  if (request.editor) details["editor"] = true;
+  document.details_json = details.dump();
   document.names = incoming.names;
   document.if_match = request.if_match;
   return store.PutDocument(document);
+}
+
+// Contradictions of the whole catalogue.
+std::size_t ClashCount(const CatalogueState& catalogue) {
+  std::size_t count = 0;
+  for (const auto& layer : catalogue.view.layers()) count += layer->clash_count();
+  return count;
+}
+
+PutAnswer RefuseOrKeepAside(store::Store& store, Incoming& incoming,
+                            const Contradiction& contradiction) {
+  if (!incoming.request.quarantine) throw ToRefusal(contradiction, incoming.source);
+  incoming.answer.quarantined = contradiction.message;
+  incoming.answer.document = KeepAside(store, incoming.request, contradiction.message);
+  return incoming.answer;
 }
 
 PutAnswer PutPrior(store::Store& store, const rdf::AliasTable& aliases, const PutRequest& request) {
@@ -222,6 +217,29 @@ PutAnswer PutPrior(store::Store& store, const rdf::AliasTable& aliases, const Pu
 }
 
 }  // namespace
+
+std::vector<std::string> AbsentImports(const rdf::Document& document,
+                                       const std::vector<Knowledge::Module>& modules,
+                                       const rdf::AliasTable& aliases) {
+  std::vector<std::string> warnings;
+  for (const std::string& import : document.imports) {
+    std::string_view name = import;
+    while (!name.empty() && (name.back() == '#' || name.back() == '/')) name.remove_suffix(1);
+    const std::string file(name.substr(name.find_last_of('/') + 1));
+    const std::string stem = StemOf(file);
+    const bool is_module = std::any_of(modules.begin(), modules.end(),
+                                       [&](const auto& module) { return module.id == stem; });
+    const bool is_aliased =
+        std::any_of(aliases.aliases().begin(), aliases.aliases().end(), [&](const auto& alias) {
+          return alias.is_namespace && alias.alias.ends_with("/" + file + "#");
+        });
+    if (!is_module && !is_aliased) {
+      warnings.push_back("imports <" + import +
+                         ">, which is not in the local catalogue; nothing is fetched");
+    }
+  }
+  return warnings;
+}
 
 PutAnswer Knowledge::Put(const PutRequest& original) {
   PutRequest request = original;
@@ -257,12 +275,22 @@ PutAnswer Knowledge::Put(const PutRequest& original) {
     return PutOntology(request, incoming.graph, incoming.content);
 
   const auto base = state_->catalogue();
+  if (!request.editor) {
+    authority::JudgeOptions judge;
+    if (request.kind == DocumentKind::kObjectModel) {
+      judge.described = authority::ModelledClasses(incoming.graph, *state_->dictionary);
+    }
+    state_->CheckAuthority(*base, incoming.graph, {request.bytes, incoming.source}, judge);
+  }
   incoming.view = base->view.With(owl::Materialise(base->view, {incoming.graph}));
   const auto& layer = *incoming.view.layers().back();
   incoming.answer.inferred = CountInferred(layer);
   incoming.answer.warnings = AbsentImports(incoming.content, base->modules, state_->aliases);
   for (std::string& clash : DescribeClashes(incoming.view)) {
     incoming.answer.warnings.push_back(std::move(clash));
+  }
+  if (const auto found = state_->Convict(*base, incoming.view, incoming.graph)) {
+    return RefuseOrKeepAside(state_->store, incoming, *found);
   }
   switch (request.kind) {
     case DocumentKind::kRecipe:
@@ -281,6 +309,7 @@ PutAnswer Knowledge::Put(const PutRequest& original) {
   }
   if (!incoming.answer.warnings.empty()) incoming.details["warnings"] = incoming.answer.warnings;
   incoming.answer.document = Store(state_->store, incoming);
+  ForgetKeptAside(state_->store, request.kind, request.id);
   state_->changes.Notify();
   return incoming.answer;
 }
@@ -293,10 +322,20 @@ PutAnswer Knowledge::PutOntology(const PutRequest& request, const rdf::Graph& gr
   std::vector<rdf::Graph> stored;
   for (const auto& [id, other] : next) stored.push_back(other);
   const auto before = state_->catalogue();
+  const authority::Claim claim =
+      authority::MakeClaim(content, graph, state_->aliases, *state_->dictionary);
+  if (!request.editor) {
+    const authority::Owners owners = state_->authority.OwnersWith(request.id, claim);
+    RefuseTrespasses(before->view, graph, authority::FindTrespasses(before->view, graph, owners),
+                     {request.bytes, request.file_name});
+  }
   auto catalogue = MakeCatalogue(state_->own, stored, before->generation + 1, before.get());
   Incoming incoming{request, request.file_name, {}, {}, catalogue->view, {}, json::object(), {}};
   incoming.answer.remarks = content.remarks;
   incoming.answer.statements = graph.triples.size();
+  if (ClashCount(*catalogue) > ClashCount(*before)) {
+    return RefuseOrKeepAside(state_->store, incoming, *FindContradiction(catalogue->view));
+  }
   const auto& layer = *catalogue->view.layers().back();
   incoming.answer.inferred = CountInferred(layer);
   incoming.answer.warnings = AbsentImports(content, catalogue->modules, state_->aliases);
@@ -305,6 +344,8 @@ PutAnswer Knowledge::PutOntology(const PutRequest& request, const rdf::Graph& gr
   }
   incoming.details["statements"] = incoming.answer.statements;
   incoming.answer.document = Store(state_->store, incoming);
+  ForgetKeptAside(state_->store, request.kind, request.id);
+  state_->authority.Put(request.id, claim, incoming.answer.document.received, request.editor);
   state_->stored_graphs = std::move(next);
   state_->Publish(std::move(catalogue));
   state_->changes.Notify();
@@ -320,11 +361,18 @@ void Knowledge::Remove(DocumentKind kind, const std::string& id) {
   const std::lock_guard lock(state_->ontology_mutex);
   state_->store.DeleteDocument(kind, id);
   state_->stored_graphs.erase(id);
+  state_->authority.Remove(id);
   std::vector<rdf::Graph> stored;
   for (const auto& [other_id, graph] : state_->stored_graphs) stored.push_back(graph);
   const auto before = state_->catalogue();
   state_->Publish(MakeCatalogue(state_->own, stored, before->generation + 1, before.get()));
   state_->changes.Notify();
+}
+
+PutAnswer Knowledge::Release(const std::string& quarantine_id, bool editor) {
+  PutRequest request = KeptAside(state_->store, quarantine_id);
+  request.editor = request.editor || editor;
+  return Put(request);
 }
 
 }  // namespace lares::server

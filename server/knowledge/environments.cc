@@ -4,6 +4,7 @@
 
 #include "ontology/rdf/vocabulary.h"
 #include "ontology/rdf/writer.h"
+#include "server/knowledge/derived.h"
 #include "server/knowledge/knowledge.h"
 #include "server/knowledge/state.h"
 
@@ -59,11 +60,17 @@ Knowledge::VersionAnswer Knowledge::PutVersion(const store::NewVersion& original
                                        layer->media_type, layer->file_name);
     const rdf::Graph graph = rdf::MakeGraph(content, name, state_->aliases, *state_->dictionary);
     answer.remarks = std::move(content.remarks);
-    const rdf::View view = state_->ViewOf({nullptr, nullptr, &draft}, &graph);
+    const rdf::View view = WithoutDerived(state_->ViewOf({nullptr, nullptr, &draft}, &graph));
     answer.objects = semantic::ReadMapObjects(view);
     if (answer.objects.empty() && !DescribesPlace(view, *state_->catalogue())) {
       throw Error(Code::kInvalid, "is no semantic map: it describes no map, place or object",
                   {layer->file_name, 0, 0});
+    }
+    const auto base = state_->catalogue();
+    state_->CheckAuthority(*base, graph,
+                           {state_->store.ReadBlob(layer->blob.sha256), layer->file_name});
+    if (const auto found = state_->Convict(*base, view, graph)) {
+      throw ToRefusal(*found, layer->file_name);
     }
     answer.warnings = DescribeClashes(view);
     for (const semantic::MapObject& object : answer.objects) {
@@ -98,7 +105,7 @@ std::vector<semantic::MapObject> Knowledge::MapObjects(const std::string& enviro
                                                        int version) {
   const store::EnvironmentVersion stored = state_->store.GetVersion(environment, version);
   if (SemanticLayer(stored.layers) == nullptr) return {};
-  return semantic::ReadMapObjects(state_->ViewOf({nullptr, nullptr, &stored}));
+  return semantic::ReadMapObjects(WithoutDerived(state_->ViewOf({nullptr, nullptr, &stored})));
 }
 
 }  // namespace lares::server

@@ -1,12 +1,14 @@
 #include "server/knowledge/knowledge.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "base/file.h"
 #include "base/search_path.h"
 #include "ontology/rdf/reader.h"
 #include "reasoner/owl/materialise.h"
+#include "server/knowledge/derived.h"
 #include "server/knowledge/state.h"
 
 namespace lares::server {
@@ -60,6 +62,7 @@ Knowledge::Knowledge(store::Store& store, prolog::EnginePool& engines)
   state_->aliases = rdf::AliasTable::FromTsv(ReadFile(aliases), aliases.filename().string());
   state_->own =
       CloseOwnModules(state_->dictionary, LoadOwnModules(state_->aliases, *state_->dictionary));
+  state_->authority.SetOwn(state_->own);
   std::vector<rdf::Graph> stored;
   for (const store::DocumentInfo& document : store.ListDocuments(store::DocumentKind::kOntology)) {
     const std::string name = GraphName(document.kind, document.id);
@@ -68,6 +71,11 @@ Knowledge::Knowledge(store::Store& store, prolog::EnginePool& engines)
                                                document.media_type, document.file_name);
       stored.push_back(rdf::MakeGraph(content, name, state_->aliases, *state_->dictionary));
       state_->stored_graphs[document.id] = stored.back();
+      state_->authority.Put(
+          document.id,
+          authority::MakeClaim(content, stored.back(), state_->aliases, *state_->dictionary),
+          store.DocumentLog(document.kind, document.id).back().received,
+          nlohmann::json::parse(document.details_json).value("editor", false));
     } catch (const Error& error) {
       // One document that cannot be read any more must not keep all others from being served.
       state_->set_aside.push_back({document.id, "set aside: " + error.FullMessage(), 0});
@@ -87,6 +95,27 @@ OverlaySource Knowledge::State::SourceOf(const std::string& graph_name,
           }};
 }
 
+void Knowledge::State::CheckAuthority(const CatalogueState& base, const rdf::Graph& graph,
+                                      const Sent& sent, const authority::JudgeOptions& options) {
+  RefuseTrespasses(base.view, graph,
+                   authority::FindTrespasses(base.view, graph, *authority.owners(), options), sent);
+}
+
+std::optional<Contradiction> Knowledge::State::Convict(const CatalogueState& base,
+                                                       const rdf::View& view,
+                                                       const rdf::Graph& graph) {
+  if (!FindContradiction(view)) return std::nullopt;
+  std::vector<FirmCatalogue::Stored> stored;
+  const auto& layers = base.view.layers();
+  for (std::size_t i = own.layers().size(); i < layers.size(); ++i) {
+    for (const rdf::Graph& other : layers[i]->graphs()) {
+      stored.push_back({&other, authority.IsByEditor(other.name)});
+    }
+  }
+  const rdf::View below = firm.For(base.generation, own, *authority.own(), stored);
+  return FindContradiction(below.With(owl::Materialise(below, {graph})));
+}
+
 rdf::View Knowledge::State::ViewOf(const Stack& stack, const rdf::Graph* environment_graph) {
   const std::shared_ptr<const CatalogueState> base = catalogue();
   std::vector<OverlaySource> sources;
@@ -102,7 +131,12 @@ rdf::View Knowledge::State::ViewOf(const Stack& stack, const rdf::Graph* environ
       document.blob = layer.blob;
       document.media_type = layer.media_type;
       document.file_name = layer.file_name;
-      sources.push_back(SourceOf(EnvironmentGraphName(stack.environment->environment), document));
+      OverlaySource source =
+          SourceOf(EnvironmentGraphName(stack.environment->environment), document);
+      source.complete = [](const rdf::View& map) {
+        return WithDerived(map, SpatialRelationsOf(map));
+      };
+      sources.push_back(std::move(source));
     }
   }
   return overlays.Get({base->view, base->generation}, sources, environment_graph).view;

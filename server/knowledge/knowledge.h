@@ -13,6 +13,7 @@
 #include "ontology/rdf/document.h"
 #include "ontology/triples/view.h"
 #include "reasoner/places/prior.h"
+#include "reasoner/profile/finding.h"
 #include "reasoner/prolog/engine_pool.h"
 #include "recipes/match/match.h"
 #include "recipes/plan/plan.h"
@@ -35,6 +36,10 @@ struct PutRequest {
   std::string file_name;
   std::string bytes;
   bool recover = false;
+  // The sender may add axioms about terms of others; kept with the version.
+  bool editor = false;
+  // Keep aside, instead of refusing, what contradicts what is known.
+  bool quarantine = false;
   std::string prior_format;  // priors: "omics" or "tsv"
   std::string if_match;
   // Object models: kept as details_json's "files": [{file_name, media_type, sha256, size}]. Empty
@@ -50,6 +55,8 @@ struct PutAnswer {
   std::vector<std::string> warnings;      // without a place: absent imports, contradictions, …
   std::size_t statements = 0;
   std::size_t inferred = 0;
+  // Why it is kept aside; empty when it was taken. `document` is then of kQuarantined.
+  std::string quarantined;
 };
 
 struct PlanRequest {
@@ -102,6 +109,20 @@ struct WhereAnswer {
   std::vector<Place> furniture;  // ranked; empty when the table has none
 };
 
+struct CheckRequest {
+  std::string media_type;  // may be empty: guessed
+  std::string file_name;
+  std::string bytes;
+  bool recover = false;
+};
+
+struct CheckAnswer {
+  profile::Report report;
+  std::vector<rdf::Remark> remarks;   // of reading
+  std::vector<std::string> warnings;  // absent imports
+  std::size_t statements = 0;
+};
+
 struct ObjectModelInfo {
   store::DocumentInfo document;
   std::vector<recipes::Resource> classes;  // what it is a model of
@@ -118,9 +139,16 @@ class Knowledge {
   Knowledge(store::Store& store, prolog::EnginePool& engines);
   ~Knowledge();
 
-  // Validates whole, stores, and only then makes it visible.
+  // Validates whole, stores, and only then makes it visible. Throws a Refusal (refusal.h), and
+  // changes nothing, for axioms about terms of others and for contradictions.
   PutAnswer Put(const PutRequest& request);
   void Remove(store::DocumentKind kind, const std::string& id);
+  // Puts again what is kept aside under this id of kQuarantined; `editor` adds to the rights that
+  // it was sent with. Throws as Put, leaving it where it is.
+  PutAnswer Release(const std::string& quarantine_id, bool editor);
+  // What is wrong with an ontology document beside the catalogue; nothing is kept. Throws as Put
+  // for what cannot be read, kTooLarge, kTimeout.
+  CheckAnswer Check(const CheckRequest& request);
 
   // As Store::PutVersion, after the semantic layer (when it changes) was read, closed and its map
   // objects checked. Warnings: contradictions, absent imports.

@@ -31,11 +31,12 @@ bool IsReady(const std::shared_future<Snapshot>& snapshot) {
   return snapshot.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
 
-Snapshot Close(const Snapshot& below, rdf::Graph top, const std::stop_token& stop) {
+Snapshot Close(const Snapshot& below, const OverlaySource& source, rdf::Graph top,
+               const std::stop_token& stop) {
   std::vector<rdf::Graph> graphs;
   graphs.push_back(std::move(top));
-  return {below.view.With(owl::Materialise(below.view, std::move(graphs), {}, stop)),
-          below.generation};
+  const rdf::View view = below.view.With(owl::Materialise(below.view, std::move(graphs), {}, stop));
+  return {source.complete ? source.complete(view) : view, below.generation};
 }
 
 }  // namespace
@@ -68,7 +69,7 @@ Snapshot Overlays::Get(const Snapshot& catalogue, const std::vector<OverlaySourc
   if (known.valid()) return known.get();
   try {
     const Snapshot below = Get(catalogue, {stack.begin(), stack.end() - 1});
-    Snapshot made = Close(below, top != nullptr ? *top : stack.back().read(), {});
+    Snapshot made = Close(below, stack.back(), top != nullptr ? *top : stack.back().read(), {});
     promise.set_value(made);
     const std::lock_guard lock(mutex_);
     if (const auto found = by_key_.find(key); found != by_key_.end()) MarkIfOld(*found->second);
@@ -164,7 +165,7 @@ void Overlays::RenewOne(const Snapshot& catalogue, const std::vector<OverlaySour
       continue;
     }
     lock.unlock();
-    below = Close(below, source.read(), stop);
+    below = Close(below, source, source.read(), stop);
     lock.lock();
     const auto found = by_key_.find(key);
     if (found == by_key_.end() || newer()) continue;

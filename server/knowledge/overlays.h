@@ -29,6 +29,8 @@ struct Snapshot {
 struct OverlaySource {
   std::string key;
   std::function<rdf::Graph()> read;  // may throw Error
+  // What is computed from its view goes over it, under the same key; null for nothing.
+  std::function<rdf::View(const rdf::View&)> complete;
 };
 
 // Keeps the closed views of stacks of overlays. When the catalogue changes, a thread of low

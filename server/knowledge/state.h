@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "ontology/rdf/reader.h"
+#include "server/knowledge/authority.h"
 #include "server/knowledge/catalogue.h"
+#include "server/knowledge/consistency.h"
 #include "server/knowledge/overlays.h"
 
 namespace lares::server {
@@ -39,6 +41,9 @@ struct Knowledge::State {
   std::shared_ptr<const CatalogueState> catalogue_now;
 
   Changes changes;
+  Authority authority;
+  FirmCatalogue firm;
+
   std::mutex priors_mutex;
   std::map<std::string, std::shared_ptr<const PlaceTables>> priors;  // by name@version#generation
 
@@ -56,6 +61,13 @@ struct Knowledge::State {
     overlays.Renew(snapshot);
   }
 
+  // Throws a Refusal when `graph`, a document over the catalogue `base`, adds to terms of others.
+  void CheckAuthority(const CatalogueState& base, const rdf::Graph& graph, const Sent& sent,
+                      const authority::JudgeOptions& options = {});
+  // What of a contradiction in the top layer of `view`, which is `graph` over `base`, the document
+  // must answer for; nothing when the catalogue takes no side.
+  std::optional<Contradiction> Convict(const CatalogueState& base, const rdf::View& view,
+                                       const rdf::Graph& graph);
   // Catalogue + robot + recipe + environment, each where given.
   struct Stack {
     const store::DocumentInfo* robot = nullptr;
@@ -76,6 +88,12 @@ std::string EnvironmentGraphName(const std::string& environment);
 // What a document of this graph is read with: its base, and the namespaces that Lares knows.
 rdf::ReadOptions OptionsFor(const std::string& graph_name, const std::string& source,
                             const rdf::AliasTable& aliases);
+
+// The imports that neither our modules nor stored documents answer: nothing is ever fetched. One
+// sentence for each.
+std::vector<std::string> AbsentImports(const rdf::Document& document,
+                                       const std::vector<Knowledge::Module>& modules,
+                                       const rdf::AliasTable& aliases);
 
 // The document behind a graph, read as it was when it was accepted: plainly, or repaired where that
 // was asked for then.

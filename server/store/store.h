@@ -40,9 +40,10 @@ class BlobWriter {
 
 // --- Documents ------------------------------------------------------------------------------
 
-enum class DocumentKind { kOntology, kRecipe, kRobot, kObjectModel, kPrior };
-std::string_view ToString(
-    DocumentKind kind);  // "ontology", "recipe", "robot", "object-model", "prior"
+// kQuarantined: documents of the other kinds that are kept aside.
+enum class DocumentKind { kOntology, kRecipe, kRobot, kObjectModel, kPrior, kQuarantined };
+// "ontology", "recipe", "robot", "object-model", "prior", "quarantined"
+std::string_view ToString(DocumentKind kind);
 
 // A name that a document answers to, beside its id.
 struct DocumentName {

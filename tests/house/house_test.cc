@@ -25,7 +25,7 @@ const std::map<std::string, std::string> kDoors = {
     {"libxml/", "ontology/rdf"},         {"SWI-Prolog.h", "reasoner/prolog"},
     {"SWI-Stream.h", "reasoner/prolog"}, {"sqlite3.h", "server/store"},
     {"httplib.h", "server/http"},        {"octomap/", "mapping/environment"},
-    {"ceres/", "mapping/slam"}};
+    {"ceres/", "mapping/slam"},          {"pcre2.h", "reasoner/sparql"}};
 
 // Costly to compile: never in a header.
 const std::vector<std::string> kNotInHeaders = {"nlohmann/json.hpp", "spdlog/", "CLI/"};

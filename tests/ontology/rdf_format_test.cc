@@ -6,8 +6,9 @@ namespace lares::rdf {
 namespace {
 
 TEST(RdfFormat, EachFormatsMediaTypeIsRecognised) {
-  for (const Format format : {Format::kRdfXml, Format::kTurtle, Format::kTriG, Format::kNTriples,
-                              Format::kNQuads, Format::kOwlFunctional, Format::kOwlXml}) {
+  for (const Format format :
+       {Format::kRdfXml, Format::kTurtle, Format::kTriG, Format::kNTriples, Format::kNQuads,
+        Format::kJsonLd, Format::kOwlFunctional, Format::kOwlXml}) {
     EXPECT_EQ(GuessFormat(MediaType(format), "", ""), format);
   }
 }
@@ -23,6 +24,7 @@ TEST(RdfFormat, FileNameDecidesWhereTheMediaTypeIsVague) {
   EXPECT_EQ(GuessFormat("", "a.trig", ""), Format::kTriG);
   EXPECT_EQ(GuessFormat("", "a.nt", ""), Format::kNTriples);
   EXPECT_EQ(GuessFormat("", "a.nq", ""), Format::kNQuads);
+  EXPECT_EQ(GuessFormat("", "a.jsonld", ""), Format::kJsonLd);
 }
 
 TEST(RdfFormat, OwlFileInTurtleIsSeenByItsFirstBytes) {
@@ -59,6 +61,9 @@ TEST(RdfFormat, FirstBytesDecideWhereNothingElseTells) {
   EXPECT_EQ(GuessFormat("", "", "<http://e/a> a <http://e/b> ."), Format::kTurtle);
   EXPECT_EQ(GuessFormat("", "", "PREFIX e: <http://e/>"), Format::kTurtle);
   EXPECT_EQ(GuessFormat("", "", "{ <a> <b> <c> }"), Format::kTriG);
+  EXPECT_EQ(GuessFormat("", "", "\n{ \"@context\": {} }"), Format::kJsonLd);
+  EXPECT_EQ(GuessFormat("", "", "[ {\"@id\": \"a\"} ]"), Format::kJsonLd);
+  EXPECT_EQ(GuessFormat("", "", "[ a <http://e/b> ] ."), Format::kTurtle);
 }
 
 TEST(RdfFormat, OtherFormatsAreRefused) {

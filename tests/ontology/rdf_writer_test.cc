@@ -190,13 +190,14 @@ TEST(RdfWriter, RandomGraphsAreReadBackFromEveryFormat) {
   for (unsigned seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     const Document document = RandomDocument(seed, false);
-    for (const Format format :
-         {Format::kRdfXml, Format::kTurtle, Format::kTriG, Format::kNTriples, Format::kNQuads}) {
+    for (const Format format : {Format::kRdfXml, Format::kTurtle, Format::kTriG, Format::kNTriples,
+                                Format::kNQuads, Format::kJsonLd}) {
       ExpectSameAfter(document, format);
     }
     const Document graphs = RandomDocument(seed, true);
     ExpectSameAfter(graphs, Format::kTriG);
     ExpectSameAfter(graphs, Format::kNQuads);
+    ExpectSameAfter(graphs, Format::kJsonLd);
   }
 }
 

@@ -81,8 +81,8 @@ TEST(RealRdf, EveryFileIsTheSameAfterWritingInEveryFormat) {
   LARES_REQUIRE_DATA(folder, "roboearth");
   for (const auto& file : OwlFiles(folder)) {
     const Document document = ReadFileOf(file, true);
-    for (const Format format :
-         {Format::kRdfXml, Format::kTurtle, Format::kTriG, Format::kNTriples, Format::kNQuads}) {
+    for (const Format format : {Format::kRdfXml, Format::kTurtle, Format::kTriG, Format::kNTriples,
+                                Format::kNQuads, Format::kJsonLd}) {
       const std::string text = WriteRdf(document, format);
       const Document again = ReadRdf(text, format, Named("written"));
       EXPECT_TRUE(AreIsomorphic(document, again)) << file << " as " << MediaType(format);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <set>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "base/error.h"
@@ -27,10 +26,10 @@ using lares::testing::TripleOf;
 using Premise = std::set<rdf::Triple>;
 using Found = std::set<std::pair<std::string, Premise>>;
 
-rdf::View Closed(const std::string& text, Options options = {}) {
+rdf::View Closed(const std::string& text) {
   const auto dictionary = std::make_shared<rdf::Dictionary>();
   const rdf::Graph graph = GraphOf(text, *dictionary);
-  return rdf::View(dictionary).With(Materialise(rdf::View(dictionary), {graph}, options));
+  return rdf::View(dictionary).With(Materialise(rdf::View(dictionary), {graph}));
 }
 
 rdf::View Unclosed(const std::string& text) {
@@ -51,27 +50,22 @@ Found All(Derivations& derivations, const rdf::Triple& goal,
   return found;
 }
 
-TEST(DerivationsTest, FindsWhatTheEngineUsedAndOnlyWhatFollows) {
-  for (unsigned seed = 1; seed <= 120; ++seed) {
+TEST(DerivationsTest, WhatIsInferredHasStepsThatRestOnWhatHolds) {
+  for (unsigned seed = 1; seed <= 60; ++seed) {
     Author author(seed);
     const std::string text = author.Text(6 + static_cast<int>(author.Below(16)));
-    std::vector<std::tuple<std::string, rdf::Triple, Premise>> used;
-    Options options;
-    options.on_derivation = [&](const Derivation& derivation) {
-      used.emplace_back(derivation.rule, derivation.conclusion,
-                        Premise(derivation.premises.begin(), derivation.premises.end()));
-    };
-    const rdf::View view = Closed(text, options);
+    const rdf::View view = Closed(text);
     Derivations derivations(view);
-    for (const auto& [rule, conclusion, premises] : used) {
-      const Found found = All(derivations, conclusion);
-      EXPECT_TRUE(found.contains({rule, premises}))
-          << "seed " << seed << ": " << rule << " for " << ToText(conclusion, view.dictionary());
+    for (const rdf::Triple& triple : view.Match({})) {
+      if (view.IsAsserted(triple)) continue;
+      const Found found = All(derivations, triple);
+      EXPECT_FALSE(found.empty()) << "seed " << seed << ": " << ToText(triple, view.dictionary())
+                                  << "\n"
+                                  << text;
       for (const auto& [name, rests_on] : found) {
-        for (const rdf::Triple& triple : rests_on) EXPECT_TRUE(view.Contains(triple));
-        if (seed > 40) continue;  // the naive closure is slow
-        EXPECT_TRUE(CloseNaively(rests_on, view.dictionary()).triples.contains(conclusion))
-            << "seed " << seed << ": " << name << " gave " << ToText(conclusion, view.dictionary());
+        for (const rdf::Triple& premise : rests_on) EXPECT_TRUE(view.Contains(premise));
+        EXPECT_TRUE(CloseNaively(rests_on, view.dictionary()).triples.contains(triple))
+            << "seed " << seed << ": " << name << " gave " << ToText(triple, view.dictionary());
       }
     }
   }

@@ -50,6 +50,16 @@ class KnowledgeFixture : public ::testing::Test {
     request.bytes = std::move(bytes);
     return knowledge_->Put(request);
   }
+  server::PutAnswer PutAsEditor(store::DocumentKind kind, const std::string& id,
+                                std::string bytes) {
+    server::PutRequest request;
+    request.kind = kind;
+    request.id = id;
+    request.file_name = "document.ttl";
+    request.bytes = std::move(bytes);
+    request.editor = true;
+    return knowledge_->Put(request);
+  }
   server::PutAnswer PutFile(store::DocumentKind kind, const std::filesystem::path& file,
                             bool recover = false) {
     server::PutRequest request;

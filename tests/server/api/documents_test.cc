@@ -185,6 +185,35 @@ TEST_F(ApiTest, AnObjectModelKeepsItsFiles) {
   EXPECT_EQ(SendForm("PUT", "/v1/object-models/b", {{"file", "x", {}, "a", ""}}).status, 422);
 }
 
+TEST_F(ApiTest, EverySyntaxOfRdfIsAccepted) {
+  for (const std::string type :
+       {"application/rdf+xml", "text/turtle", "application/trig", "application/n-triples",
+        "application/n-quads", "application/ld+json"}) {
+    EXPECT_EQ(Send("PUT", "/v1/ontology/modules/a", type, "x" + type).status / 100, 2) << type;
+  }
+  EXPECT_EQ(Send("PUT", "/v1/ontology/modules/a", "application/json", "{}").status, 415);
+}
+
+TEST_F(ApiTest, AnOntologyIsCheckedAndNotKept) {
+  const auto clean = Send("POST", "/v1/ontology/check?file_name=a.ttl", "text/turtle", kTurtle);
+  ASSERT_EQ(clean.status, 200) << clean.body;
+  EXPECT_EQ(Json(clean)["clean"], true);
+  EXPECT_EQ(Json(clean)["findings"].size(), 0u);
+  const auto found = Json(Send("POST", "/v1/ontology/check?file_name=a.ttl", "text/turtle", "bad"));
+  EXPECT_EQ(found["clean"], false);
+  EXPECT_EQ(found["owl2_rl"], false);
+  EXPECT_EQ(found["findings"][0]["kind"], "profile");
+  EXPECT_EQ(found["findings"][0]["count"], 7);
+  EXPECT_EQ(found["findings"][0]["places"][0]["line"], 3);
+  EXPECT_EQ(found["findings"][0]["places"][0]["source"], "a.ttl");
+  EXPECT_EQ(found["findings"][0]["names"][1], "Mug");
+  EXPECT_EQ(found["warnings"].size(), 1u);
+  EXPECT_EQ(Send("POST", "/v1/ontology/check", "image/png", "x").status, 415);
+  EXPECT_EQ(Json(Get("/v1/ontology/modules"))["items"].size(),
+            Json(Get("/v1/ontology/modules"))["count"]);
+  EXPECT_FALSE(store_->FindDocument(store::DocumentKind::kOntology, "a"));
+}
+
 TEST_F(ApiTest, AWebPageOfAnotherOriginCannotWrite) {
   EXPECT_EQ(
       Send("PUT", "/v1/recipes/a", "text/turtle", kTurtle, "Origin", "http://evil.example").status,

@@ -78,8 +78,31 @@ PutAnswer Knowledge::Put(const PutRequest& request) {
   return answer;
 }
 
+CheckAnswer Knowledge::Check(const CheckRequest& request) {
+  CheckAnswer answer;
+  answer.statements = request.bytes.size();
+  if (request.bytes.find("bad") == std::string::npos) return answer;
+  answer.report.is_clean = answer.report.is_owl2_rl = false;
+  answer.report.findings = {
+      {profile::Kind::kProfile,
+       "owl:unionOf on the side of the superclass",
+       7,
+       {{request.file_name, 3, 5}, {request.file_name, 9, 1}},
+       {"Cup", "Mug"}},
+      {profile::Kind::kRemark, "punning", 1, {{request.file_name, 4, 1}}, {"A"}}};
+  answer.warnings = {"imports <urn:x>, which is absent"};
+  return answer;
+}
+
 void Knowledge::Remove(store::DocumentKind kind, const std::string& id) {
   state_->store.DeleteDocument(kind, id);
+}
+
+PutAnswer Knowledge::Release(const std::string& quarantine_id, bool editor) {
+  PutRequest request;
+  request.id = quarantine_id;
+  request.editor = editor;
+  return Put(request);
 }
 
 Knowledge::VersionAnswer Knowledge::PutVersion(const store::NewVersion& version) {

@@ -226,6 +226,7 @@ TEST_F(CliTest, EveryCommandHasHelpWithExamples) {
                                                        {"robot", "put"},
                                                        {"ontology", "put"},
                                                        {"ontology", "aliases"},
+                                                       {"ontology", "check"},
                                                        {"environment", "put"},
                                                        {"environment", "get"},
                                                        {"environment", "list"},
@@ -248,6 +249,29 @@ TEST_F(CliTest, EveryCommandHasHelpWithExamples) {
     EXPECT_THAT(help.out, HasSubstr("Examples:\n  lares ")) << name;
     EXPECT_THAT(help.err, IsEmpty()) << name;
   }
+}
+
+TEST_F(CliTest, CheckNamesEachFindingsPlaceAndEndsWithACodeOfItsOwn) {
+  const std::string good = Write("good.ttl", kTurtle).string();
+  const std::string bad = Write("bad.ttl", "bad").string();
+  const Outcome clean = Lares({"ontology", "check", good});
+  EXPECT_EQ(clean.code, 0) << clean.err;
+  EXPECT_THAT(clean.out, HasSubstr("good.ttl: 26 statements, OWL 2 RL, clean\n"));
+  const Outcome found = Lares({"ontology", "check", bad});
+  EXPECT_EQ(found.code, 9);
+  EXPECT_THAT(found.out, HasSubstr(bad + ":3:5: profile: owl:unionOf on the side of the superclass "
+                                         "(Cup, Mug; 7 places, also 9:1)\n"));
+  EXPECT_THAT(found.out, HasSubstr(bad + ":4:1: remark: punning (A)\n"));
+  EXPECT_THAT(found.out, HasSubstr("not OWL 2 RL\n"));
+  EXPECT_THAT(found.err, HasSubstr("bad.ttl is not clean"));
+  const Outcome both = Lares({"ontology", "check", good, bad});
+  EXPECT_EQ(both.code, 9);
+  EXPECT_THAT(both.err, HasSubstr("1 of 2 files are not clean"));
+  const Outcome json = Lares({"ontology", "check", "--json", bad});
+  EXPECT_EQ(json.code, 9);
+  EXPECT_EQ(nlohmann::json::parse(json.out)["findings"][0]["count"], 7);
+  EXPECT_EQ(Lares({"ontology", "check"}).code, 2);
+  EXPECT_EQ(Lares({"ontology", "check", (folder_ / "absent.ttl").string()}).code, 1);
 }
 
 TEST_F(CliTest, ServeRefusesToFaceTheNetwork) {
