@@ -68,7 +68,9 @@ const Format& ChooseFormat(const http::Request& request, const std::vector<Forma
     for (const Format& format : offered) {
       if (*as == format.name) return format;
     }
-    throw refuse().WithHint("?as= is one of " + Join(names, ", ") + " here");
+    auto error = refuse();
+    error.WithHint("?as= is one of " + Join(names, ", ") + " here");
+    throw error;
   }
   const auto chosen = http::ChooseMediaType(request.headers.GetList("Accept"), types);
   for (const Format& format : offered) {
@@ -97,10 +99,11 @@ http::Request Collect(const http::Request& request) {
 
 Asked ReadQuestion(const http::Request& request, const rdf::AliasTable& aliases) {
   if (request.query.count("query") != 1) {
-    throw http::ProblemError("bad-request", request.query.contains("query")
+    http::ProblemError error("bad-request", request.query.contains("query")
                                                 ? "there is more than one query"
-                                                : "there is no query")
-        .WithHint("send ?query=, a form with it, or a body of application/sparql-query");
+                                                : "there is no query");
+    error.WithHint("send ?query=, a form with it, or a body of application/sparql-query");
+    throw error;
   }
   Asked asked{ParseSparql(*request.Query("query"), aliases, request.query), kPlans.front(), {}, {}};
   asked.explain = request.Query("explain").value_or("");

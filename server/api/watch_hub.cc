@@ -188,11 +188,15 @@ void WatchHub::State::Run(const std::stop_token& stop) {
 bool WatchHub::State::Round(const std::stop_token& stop) {
   const std::uint64_t generation = knowledge.changes().generation();
   Admit();
-  bool unfinished = false;
   std::size_t subscribers = 0;
+  for (auto& [key, watch] : watches) {
+    std::erase_if(watch.subscribers, [](const Subscriber& one) { return one.channel->gone(); });
+    subscribers += watch.subscribers.size();
+  }
+  count = subscribers;
+  bool unfinished = false;
   for (auto entry = watches.begin(); entry != watches.end() && !stop.stop_requested();) {
     Watch& watch = entry->second;
-    std::erase_if(watch.subscribers, [](const Subscriber& one) { return one.channel->gone(); });
     if (watch.subscribers.empty()) {
       entry = watches.erase(entry);
       continue;
@@ -202,14 +206,12 @@ bool WatchHub::State::Round(const std::stop_token& stop) {
         Refresh(watch, generation, stop);
       }
       if (!Tell(watch) || watch.generation != generation) unfinished = true;
-      subscribers += watch.subscribers.size();
       ++entry;
     } catch (const std::exception& error) {
       if (!stop.stop_requested()) Fail(watch, error);
       entry = watches.erase(entry);
     }
   }
-  count = subscribers;
   return unfinished;
 }
 

@@ -20,8 +20,9 @@ std::string QueryOfPattern(const http::Request& request) {
     pattern += " " + term.value_or("?" + std::string(part));
   }
   if (!is_given) {
-    throw http::ProblemError("bad-request", "there is nothing to watch")
-        .WithHint("give ?query=, or one or more of ?subject=, ?predicate= and ?object=");
+    http::ProblemError error("bad-request", "there is nothing to watch");
+    error.WithHint("give ?query=, or one or more of ?subject=, ?predicate= and ?object=");
+    throw error;
   }
   return (is_open ? "SELECT * {" : "ASK {") + pattern + " }";
 }

@@ -13,9 +13,10 @@ namespace lares::server {
 // All members are thread-safe.
 class Changes {
  public:
-  // After a commit has become visible: counts it and calls the listeners, on the calling thread.
+  // After a commit, or what follows from it in an overlay, has become visible: counts it and calls
+  // the listeners, on the calling thread.
   void Notify();
-  // How many commits there were; grows only.
+  // How often that was; grows only.
   std::uint64_t generation() const { return generation_; }
 
   // `listener` must be quick and throw nothing. It is called until the token is dropped, which

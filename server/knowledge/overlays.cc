@@ -41,8 +41,10 @@ Snapshot Close(const Snapshot& below, const OverlaySource& source, rdf::Graph to
 
 }  // namespace
 
-Overlays::Overlays(std::size_t capacity)
-    : capacity_(capacity), worker_([this](const std::stop_token& stop) { Work(stop); }) {}
+Overlays::Overlays(std::size_t capacity, std::function<void()> renewed)
+    : capacity_(capacity),
+      renewed_(std::move(renewed)),
+      worker_([this](const std::stop_token& stop) { Work(stop); }) {}
 
 Overlays::~Overlays() {
   worker_.request_stop();
@@ -138,6 +140,7 @@ void Overlays::Work(const std::stop_token& stop) {
     } catch (const std::exception&) {
       if (!stop.stop_requested()) Forget(key);
     }
+    if (renewed_ && !stop.stop_requested()) renewed_();
     lock.lock();
     is_working_ = false;
     changed_.notify_all();

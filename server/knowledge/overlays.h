@@ -40,8 +40,9 @@ struct OverlaySource {
 // stack a little after the catalogue itself. Thread-safe.
 class Overlays {
  public:
-  // Keeps `capacity` stacks, the least recently used forgotten.
-  explicit Overlays(std::size_t capacity);
+  // Keeps `capacity` stacks, the least recently used forgotten. `renewed` is called, on the thread
+  // that closes, whenever readers get something newer of a stack than before.
+  explicit Overlays(std::size_t capacity, std::function<void()> renewed = {});
   // Stops the closing that is under way.
   ~Overlays();
   Overlays(const Overlays&) = delete;
@@ -78,6 +79,7 @@ class Overlays {
                 const std::stop_token& stop);
 
   const std::size_t capacity_;
+  const std::function<void()> renewed_;
   mutable std::mutex mutex_;
   std::condition_variable_any changed_;
   Entries by_use_;  // most recent first

@@ -78,7 +78,7 @@ struct Knowledge::State {
   rdf::View ViewOf(const Stack& stack, const rdf::Graph* environment_graph = nullptr);
   OverlaySource SourceOf(const std::string& graph_name, const store::DocumentInfo& document);
 
-  Overlays overlays{64};  // last: its thread uses what stands above
+  Overlays overlays{64, [this] { changes.Notify(); }};  // last: its thread uses what stands above
 };
 
 // Name of a document's graph in every view: "recipe:find-bottle".

@@ -110,6 +110,24 @@ TEST_F(OverlaysTest, AfterAChangeTheOldViewServesUntilTheNewOneIsMade) {
   EXPECT_EQ(read_, 2);
 }
 
+TEST_F(OverlaysTest, ARenewalIsToldOnceReadersGetIt) {
+  const Snapshot next = Catalogue(2);
+  std::atomic<int> told{0};
+  std::atomic<std::uint64_t> seen{0};
+  Overlays* readers = nullptr;
+  Overlays overlays(4, [&] {
+    seen = GenerationIn(readers->Get(next, {Source("map")}).view);
+    ++told;
+  });
+  readers = &overlays;
+  overlays.Get(Catalogue(1), {Source("map")});
+  EXPECT_EQ(told, 0);
+  overlays.Renew(next);
+  overlays.Wait();
+  EXPECT_EQ(told, 1);
+  EXPECT_EQ(seen, 2u);
+}
+
 TEST_F(OverlaysTest, WhatHasNoOlderViewIsMadeOverTheNewCatalogue) {
   Overlays overlays(8);
   overlays.Renew(Catalogue(2));
