@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "base/text.h"
-#include "ontology/triples/sorting.h"
+#include "ontology/rdf/vocabulary.h"
 #include "reasoner/owl/materialise.h"
+#include "reasoner/owl/proof.h"
+#include "reasoner/owl/prover.h"
 #include "server/knowledge/catalogue.h"
 
 namespace lares::server {
@@ -22,9 +24,17 @@ std::string PremiseText(const rdf::View& view, const rdf::Triple& premise) {
          (graphs.empty() ? " (follows)" : " (" + Join(graphs, ", ") + ")");
 }
 
-// What holds `graph` less the axioms that add to terms of our own.
-rdf::Graph FirmPart(const rdf::View& own, const authority::Owners& owners,
-                    const rdf::Graph& graph) {
+// `graph` less the axioms that add to terms of our namespace: those that our modules declare, and
+// those that only an alias brings there.
+rdf::Graph FirmPart(const rdf::View& own, authority::Owners owners, const rdf::Graph& graph) {
+  rdf::Graph aliased;
+  aliased.name = "aliases";
+  aliased.triples = graph.triples;
+  std::string space(rdf::kLares);
+  space.pop_back();
+  authority::Claim claim = authority::MakeSharedClaim(aliased, space, own.dictionary());
+  std::erase_if(claim.declared, [](const auto& name) { return name.space.empty(); });
+  owners.Add(claim);
   rdf::Graph firm = graph;
   std::set<rdf::Triple> dropped;
   for (const authority::Trespass& trespass : authority::FindTrespasses(own, graph, owners)) {
@@ -35,16 +45,17 @@ rdf::Graph FirmPart(const rdf::View& own, const authority::Owners& owners,
   return firm;
 }
 
-// A contradiction about literals alone: a number without its datatype where one is wanted, or two
-// values where one may be. Descriptions of real robots are full of them and mean no harm: they are
-// told, and refused by nobody.
-bool IsOfValues(const rdf::View& view, const rdf::Clash& clash) {
-  if (clash.rule == "dt-not-type") return true;
-  const auto is_literal = [&](rdf::TermId term) {
-    return view.dictionary().Kind(term) == rdf::TermKind::kLiteral;
-  };
-  return clash.rule == "eq-diff1" && clash.premises.size() == 1 &&
-         is_literal(clash.premises[0].object);
+// Of the contradiction that is proved in the fewest steps; none when that takes too long to find,
+// and the premises must do.
+std::optional<owl::Proof> ProofOf(const rdf::View& view) {
+  owl::ProofOptions options;
+  options.max_work = 2'000'000;
+  try {
+    return owl::Prover(view).WhyContradiction(options);
+  } catch (const Error& error) {
+    if (error.code() != Code::kTooLarge) throw;
+    return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -52,15 +63,11 @@ bool IsOfValues(const rdf::View& view, const rdf::Clash& clash) {
 std::optional<Contradiction> FindContradiction(const rdf::View& view) {
   if (view.layers().empty() || view.layers().back()->clash_count() == 0) return std::nullopt;
   const rdf::Layer& layer = *view.layers().back();
-  const auto is_of_values = [&](const rdf::Clash& clash) { return IsOfValues(view, clash); };
-  if (std::all_of(layer.clashes().begin(), layer.clashes().end(), is_of_values))
-    return std::nullopt;
   Contradiction contradiction;
   nlohmann::json clashes = nlohmann::json::array();
   contradiction.message = Join(DescribeClashes(view), "\n");
   for (const rdf::Clash& clash : layer.clashes()) {
     if (clashes.size() == kShown) break;
-    if (is_of_values(clash)) continue;
     nlohmann::json premises = nlohmann::json::array();
     contradiction.message += "\n" + clash.rule + " from:";
     for (const rdf::Triple& premise : clash.premises) {
@@ -70,7 +77,12 @@ std::optional<Contradiction> FindContradiction(const rdf::View& view) {
     }
     clashes.push_back({{"rule", clash.rule}, {"premises", premises}});
   }
-  contradiction.json = nlohmann::json{{"clashes", clashes}}.dump();
+  nlohmann::json members{{"clashes", clashes}};
+  if (const auto proof = ProofOf(view)) {
+    contradiction.message += "\nproof:\n" + owl::ToText(*proof, view);
+    members["proof"] = nlohmann::json::parse(owl::ToJson(*proof, view));
+  }
+  contradiction.json = members.dump();
   return contradiction;
 }
 

@@ -16,8 +16,9 @@ namespace lares::server {
 
 // Why a document cannot be taken: the contradictions and what each rests on.
 struct Contradiction {
-  std::string message;  // a sentence for each, then its proof
-  std::string json;     // {"clashes": [{"rule", "sentence", "premises": [{"text", "graphs"}]}]}
+  std::string message;  // a sentence for each, what each rests on, and one proof
+  std::string json;     // {"clashes": [{"rule", "sentence", "premises": [{"text", "graphs"}]}],
+                        // "proof": as owl::ToJson}
 };
 
 // What the top layer of `view` contradicts; nothing when it contradicts nothing.
@@ -27,7 +28,7 @@ std::optional<Contradiction> FindContradiction(const rdf::View& view);
 Refusal ToRefusal(const Contradiction& contradiction, const std::string& source);
 
 // The catalogue as far as it can convict a document of contradicting it: without what stored
-// ontologies add to terms of our own modules that they share by an alias. Such an axiom serves
+// ontologies add to terms of our namespace, which they share by an alias. Such an axiom serves
 // answers; but between a robot that says one thing and an ontology that says another about a term
 // which is neither's, the catalogue takes no side. Thread-safe.
 class FirmCatalogue {

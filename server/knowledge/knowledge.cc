@@ -104,7 +104,7 @@ void Knowledge::State::CheckAuthority(const CatalogueState& base, const rdf::Gra
 std::optional<Contradiction> Knowledge::State::Convict(const CatalogueState& base,
                                                        const rdf::View& view,
                                                        const rdf::Graph& graph) {
-  if (!FindContradiction(view)) return std::nullopt;
+  if (view.layers().back()->clash_count() == 0) return std::nullopt;
   std::vector<FirmCatalogue::Stored> stored;
   const auto& layers = base.view.layers();
   for (std::size_t i = own.layers().size(); i < layers.size(); ++i) {

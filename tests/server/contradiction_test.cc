@@ -47,7 +47,10 @@ TEST_F(ContradictionTest, AnOntologyThatContradictsIsRefusedWithItsProofAndNothi
     EXPECT_THAT(refusal.what(), HasSubstr("tom is Cat and Dog, which exclude each other"));
     EXPECT_THAT(refusal.what(), HasSubstr("ontology:zoo"));
     EXPECT_THAT(refusal.hint(), HasSubstr("--quarantine"));
-    EXPECT_FALSE(nlohmann::json::parse(refusal.members_json()).at("clashes").empty());
+    const auto members = nlohmann::json::parse(refusal.members_json());
+    EXPECT_FALSE(members.at("clashes").empty());
+    EXPECT_FALSE(members.at("proof").at("nodes").empty());
+    EXPECT_THAT(refusal.what(), HasSubstr("proof:"));
   }
   EXPECT_EQ(knowledge_->counts().asserted, before);
   EXPECT_EQ(knowledge_->counts().clashes, 0U);
