@@ -1,5 +1,6 @@
-// An environment version of 1 000 objects (15 000 triples) beside 1 000 stored ones: milliseconds,
-// median of five, until it is visible, and what of that is the durable write and the reading.
+// An environment version of 700 objects (15 000 triples) beside 1 000 stored environments:
+// milliseconds, median of five, until it is visible, and what of that is the durable write and the
+// reading.
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,6 +22,7 @@ using Clock = std::chrono::steady_clock;
 using namespace lares;
 
 constexpr int kStored = 1000;
+constexpr int kObjects = 700;
 
 double Ms(const std::function<void()>& work) {
   const auto begin = Clock::now();
@@ -33,7 +35,7 @@ void Row(const char* what, const char* to_reach, std::vector<double> values) {
   std::printf("%-52s %-8s %9.2f ms\n", what, to_reach, values[values.size() / 2]);
 }
 
-// Objects with a class, a label and a pose as the maps of Lares have it: 15 triples each.
+// Objects with a class, a label and a pose as the maps of Lares have it: 22 triples each.
 std::string Map(int number, int objects) {
   std::string text =
       "@prefix lares: <https://w3id.org/lares#> .\n"
@@ -46,8 +48,12 @@ std::string Map(int number, int objects) {
             std::to_string(i) + "\" .\n" + name + "_p a lares:SemanticMapPerception ; " +
             "lares:objectActedOn " + name + " ; lares:eventOccursAt " + name + "_m .\n" + name +
             "_m a lares:RotationMatrix3D";
-    for (const char* element : {"m03", "m13", "m23", "m00", "m11", "m22", "m33", "m01"}) {
-      text += std::string(" ; lares:") + element + " " + std::to_string(i % 7) + ".5";
+    for (int k = 0; k < 16; ++k) {
+      const char digit = k % 4 == 3 && k < 12 ? static_cast<char>('0' + i % 7)
+                         : k % 5 == 0         ? '1'
+                                              : '0';
+      text += std::string(" ; lares:m") + std::to_string(k / 4) + std::to_string(k % 4) + " " +
+              digit + ".0";
     }
     text += " .\n";
   }
@@ -72,7 +78,7 @@ void Measure(const std::string& folder) {
   }
   std::vector<double> write, read, put, ask, empty;
   for (int i = 0; i < 5; ++i) {
-    const std::string map = Map(kStored + i, 1000);
+    const std::string map = Map(kStored + i, kObjects);
     const std::string name = "new-" + std::to_string(i);
     store::NewVersion version;
     write.push_back(Ms([&] { version = Version(*store, name, map); }));
