@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
 // A list whose head is known is read after patterns with fewer matches than this.
 constexpr std::size_t kCostOfKnownList = 4;
+constexpr std::size_t kMayBeComputed = std::size_t{1} << 40;
 constexpr unsigned kTicksBetweenStopChecks = 256;
 
 bool IsGround(const rdf::Pattern& pattern) {
@@ -82,7 +83,12 @@ std::size_t BodyJoin::CostOf(const Atom& atom) const {
   const rdf::Pattern pattern = atom.In(binding_);
   if (IsGround(pattern)) return 0;  // yes or no: ask at once
   const std::size_t cost = view_.Estimate(pattern);
-  if (cost == 0 && premises_.computed) return kNever;  // may be computed once it is ground
+  if (premises_.computed) {  // only what is ground can be computed: leave it for later
+    if (cost == 0) return kNever;
+    if (pattern.predicate == words_.type || pattern.predicate == words_.same_as) {
+      return kMayBeComputed + cost;
+    }
+  }
   // All triples, or all of a predicate: leave it for later.
   if (pattern.subject == rdf::kAnyTerm && pattern.object == rdf::kAnyTerm) return 2 * cost;
   return cost;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <string>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -9,12 +11,15 @@
 #include "base/error.h"
 #include "reasoner/owl/derivations.h"
 #include "reasoner/owl/flat_map.h"
+#include "reasoner/owl/on_demand.h"
 #include "reasoner/owl/proof_paths.h"
 
 namespace lares::owl {
 namespace {
 
-constexpr unsigned kMaxDepth = 400;  // of proofs within proofs; paths do not count
+constexpr std::size_t kWorkOfFirstSearch = 1'000'000;
+constexpr std::size_t kMaxClashes = 64;  // looked at for a proof of one
+constexpr unsigned kMaxDepth = 400;      // of proofs within proofs; paths do not count
 
 // Two steps of the same kind in a row can be made one without another cost (x a b, b ⊑ c, c ⊑ d:
 // first join the axioms, or first the individual). So what the second rests on need not be looked
@@ -69,13 +74,22 @@ struct Known {
   ProofCost cost;
   const Rule* rule = nullptr;  // of the cheapest proof, when it is known and has one
   std::vector<rdf::Triple> premises;
+  std::string_view computed;  // the rule by which it holds without being stored
 };
 
 }  // namespace
 
 class Prover::Search {
  public:
-  explicit Search(rdf::View view) : derivations_(std::move(view)), view_(derivations_.view()) {
+  // Premises that hold without being stored are looked at only when asked for: few proofs need
+  // them, and they make every search slower.
+  Search(rdf::View view, bool with_computed)
+      : derivations_(view, with_computed ? Derivations::Holds([view](const rdf::Triple& triple) {
+                       return Holds(view, triple).has_value();
+                     })
+                                         : Derivations::Holds()),
+        view_(derivations_.view()),
+        with_computed_(with_computed) {
     for (const Rule& rule : derivations_.rules()) {
       tactics_.resize(std::max<std::size_t>(tactics_.size(), rule.number + 1));
       tactics_[rule.number] = TacticOf(rule.name);
@@ -88,7 +102,10 @@ class Prover::Search {
     Start(options);
     Proof proof;
     if (!view_.Contains(triple)) {
-      if (!AddTrivial(triple, &proof)) return std::nullopt;
+      const auto reason = Holds(view_, triple);
+      if (!reason) return std::nullopt;
+      proof.cost = 1;
+      proof.nodes.push_back({triple, std::string(reason->rule), TableOf(reason->rule), {}, {}});
       return proof;
     }
     const Goal goal = GoalFor(triple, 0);
@@ -102,20 +119,15 @@ class Prover::Search {
 
   std::optional<Proof> WhyContradiction(const ProofOptions& options) {
     Start(options);
-    std::vector<const rdf::Clash*> clashes;
-    for (const auto& layer : view_.layers()) {
-      for (const rdf::Clash& clash : layer->clashes()) clashes.push_back(&clash);
-    }
+    const std::vector<rdf::Clash> clashes = Clashes();
     if (clashes.empty()) return std::nullopt;
     for (unsigned bound = 0; bound < kUnprovable;) {
       unsigned next = kUnprovable;
-      for (const rdf::Clash* clash : clashes) {
+      for (const rdf::Clash& clash : clashes) {
         std::vector<Goal> goals;
-        for (const rdf::Triple& premise : clash->premises) {
-          if (view_.Contains(premise)) goals.push_back(GoalFor(premise, 0));
-        }
+        for (const rdf::Triple& premise : clash.premises) goals.push_back(GoalFor(premise, 0));
         unsigned cost = 0;
-        if (SolveAll(goals, bound, &cost)) return WriteClash(*clash, cost);
+        if (SolveAll(goals, bound, &cost)) return WriteClash(clash, cost);
         next = std::min(next, cost);
       }
       bound = std::max(next, bound + 1);
@@ -138,6 +150,32 @@ class Prover::Search {
     if (work_ % 256 == 0 && options_.stop.stop_requested()) {
       throw Error(Code::kTimeout, "stopped while looking for a proof");
     }
+  }
+
+  // What the layers list speaks of representatives where terms are the same; steps must fit word by
+  // word, so the same rules are asked again.
+  std::vector<rdf::Clash> Clashes() {
+    std::vector<rdf::Clash> listed, found;
+    std::set<std::string, std::less<>> rules;
+    for (const auto& layer : view_.layers()) {
+      for (const rdf::Clash& clash : layer->clashes()) {
+        listed.push_back(clash);
+        rules.insert(clash.rule);
+      }
+    }
+    if (listed.empty()) return {};
+    Derivations::Options options;
+    options.stop = options_.stop;
+    options.wanted = [&](const Rule& rule) { return rules.contains(rule.name); };
+    options.usable = [this](const rdf::Triple&) {
+      Work();
+      return true;
+    };
+    derivations_.ForEachClash(options, [&](const Step& step) {
+      found.push_back({step.rule.name, {step.premises.begin(), step.premises.end()}});
+      return found.size() < kMaxClashes;
+    });
+    return found.empty() ? listed : found;
   }
 
   // ---- What is transitive -----------------------------------------------------------------------
@@ -238,8 +276,16 @@ class Prover::Search {
 
   Known& Recall(const Goal& goal) {
     const auto [found, is_new] = known_.try_emplace(goal);
-    if (is_new && view_.IsAsserted(goal.triple)) found->second.cost = {0, true};
-    return found->second;
+    if (!is_new) return found->second;
+    Known& known = found->second;
+    if (view_.IsAsserted(goal.triple)) {
+      known.cost = {0, true};
+    } else if (with_computed_ && !view_.Contains(goal.triple)) {
+      const auto reason = Holds(view_, goal.triple);
+      known.cost = reason ? ProofCost{1, true} : ProofCost{kUnprovable, false};
+      if (reason) known.computed = reason->rule;
+    }
+    return known;
   }
   unsigned Lower(const Goal& goal) { return Recall(goal).cost.lower; }
 
@@ -365,6 +411,10 @@ class Prover::Search {
     if (known.cost.lower == 0) {
       return Add({goal.triple, "", 0, {}, view_.GraphsOf(goal.triple)}, writer);
     }
+    if (!known.computed.empty()) {
+      return Add({goal.triple, std::string(known.computed), TableOf(known.computed), {}, {}},
+                 writer);
+    }
     if (known.rule == nullptr) return WritePath(goal, writer);
     ProofNode node{goal.triple, known.rule->name, known.rule->table, {}, {}};
     const Rule& rule = *known.rule;
@@ -400,7 +450,7 @@ class Prover::Search {
         continue;
       }
       const std::string rule = RuleOfStep(p, edge.is_backwards, is_final);
-      ProofNode node{conclusion, rule, table_of_[rule], {}, {}};
+      ProofNode node{conclusion, rule, TableOf(rule), {}, {}};
       if (rule == "prp-trp") node.premises.push_back(WriteGoal(*TransitivityOf(p), writer));
       node.premises.push_back(WriteGoal({edge.triple, kPath}, writer));
       if (!is_final) node.premises.push_back(rest);
@@ -420,41 +470,30 @@ class Prover::Search {
     Proof proof;
     proof.cost = 1 + cost;
     Writer writer{&proof, {}};
-    ProofNode node{{}, clash.rule, table_of_[clash.rule], {}, {}};
+    ProofNode node{{}, clash.rule, TableOf(clash.rule), {}, {}};
     for (const rdf::Triple& premise : clash.premises) {
-      const std::size_t before = proof.nodes.size();
-      if (view_.Contains(premise)) {
-        node.premises.push_back(WriteGoal(GoalFor(premise, 0), writer));
-      } else if (AddTrivial(premise, &proof)) {
-        node.premises.push_back(before);
-      }
+      node.premises.push_back(WriteGoal(GoalFor(premise, 0), writer));
     }
     proof.nodes.push_back(std::move(node));
     return proof;
   }
 
-  // What holds without being stored.
-  bool AddTrivial(const rdf::Triple& triple, Proof* proof) {
-    const Vocabulary& words = derivations_.words();
-    const auto [s, p, o] = triple;
-    std::string rule;
-    if (p == words.same_as && s == o) rule = "eq-ref";
-    if (p == words.sub_class_of && (s == o || o == words.thing || s == words.nothing)) {
-      rule = "scm-cls";
+  int TableOf(std::string_view rule) const {
+    const auto row = table_of_.find(rule);
+    if (row != table_of_.end()) return row->second;
+    for (const AxiomRow& axiom : AxiomTable()) {
+      if (rule == axiom.name) return axiom.table;
     }
-    if (p == words.equivalent_class && s == o) rule = "scm-cls";
-    if ((p == words.sub_property_of || p == words.equivalent_property) && s == o) rule = "scm-op";
-    if (rule.empty()) return false;
-    proof->nodes.push_back({triple, rule, rule == "eq-ref" ? 4 : 9, {}, {}});
-    return true;
+    return rule == "eq-ref" ? 4 : rule.starts_with("dt-") ? 8 : 9;
   }
 
   Derivations derivations_;
   const rdf::View& view_;
+  bool with_computed_;
   rdf::TermId transitive_property_{};
   std::unordered_map<rdf::TermId, bool> is_path_;
   std::vector<Tactic> tactics_;  // by number of the rule
-  std::map<std::string, int> table_of_;
+  std::map<std::string, int, std::less<>> table_of_;
   std::unordered_map<Goal, Known, GoalHash> known_;
   std::unordered_map<std::uint64_t, std::unique_ptr<ProofPaths>> paths_;
   std::unordered_map<rdf::TermId, std::unique_ptr<Neighbours>> asserted_;
@@ -463,15 +502,33 @@ class Prover::Search {
   unsigned depth_ = 0;
 };
 
-Prover::Prover(rdf::View view) : search_(std::make_unique<Search>(std::move(view))) {}
+Prover::Prover(rdf::View view)
+    : view_(std::move(view)), plain_(std::make_unique<Search>(view_, false)) {}
 Prover::~Prover() = default;
 
+template <typename Ask>
+std::optional<Proof> Prover::Try(const ProofOptions& options, const Ask& ask) {
+  try {
+    ProofOptions first = options;
+    first.max_work = std::min(first.max_work, kWorkOfFirstSearch);
+    return ask(*plain_, first);
+  } catch (const Error& error) {
+    if (error.code() != Code::kTooLarge && error.code() != Code::kInternal) throw;
+  }
+  if (!computing_) computing_ = std::make_unique<Search>(view_, true);
+  return ask(*computing_, options);
+}
+
 std::optional<Proof> Prover::Why(const rdf::Triple& triple, const ProofOptions& options) {
-  return search_->Why(triple, options);
+  return Try(options, [&](Search& search, const ProofOptions& limits) {
+    return search.Why(triple, limits);
+  });
 }
 
 std::optional<Proof> Prover::WhyContradiction(const ProofOptions& options) {
-  return search_->WhyContradiction(options);
+  return Try(options, [&](Search& search, const ProofOptions& limits) {
+    return search.WhyContradiction(limits);
+  });
 }
 
 }  // namespace lares::owl

@@ -12,7 +12,7 @@
 namespace lares::owl {
 
 struct ProofOptions {
-  std::size_t max_work = 20'000'000;  // triples looked at for one proof; beyond it kTooLarge
+  std::size_t max_work = 2'000'000;  // triples looked at for one proof; beyond it kTooLarge
   std::stop_token stop;               // kTimeout
 };
 
@@ -26,8 +26,10 @@ class Prover {
 
   // A proof of least cost: each step costs 1 and the cost of its premises, asserted triples cost
   // nothing (so a part that is used twice counts twice, and is shown once). Among equals the one
-  // found first, which depends on the view alone. None when the triple does not hold. What is true
-  // of everything (x owl:sameAs x, c ⊑ c …) is one step without premises.
+  // found first, which depends on the view alone. None when the triple does not hold. What holds
+  // without being stored (on_demand.h) is one step without premises; only where there is no proof
+  // without such premises are they looked at. What follows only by way of a triple about a literal
+  // (of a symmetric property, say), which no view shows, is not found: kTooLarge.
   std::optional<Proof> Why(const rdf::Triple& triple, const ProofOptions& options = {});
   // Of one of the contradictions that the layers list, the one of least cost. None when there is
   // none.
@@ -35,7 +37,12 @@ class Prover {
 
  private:
   class Search;
-  std::unique_ptr<Search> search_;
+  template <typename Ask>
+  std::optional<Proof> Try(const ProofOptions& options, const Ask& ask);
+
+  rdf::View view_;
+  std::unique_ptr<Search> plain_;      // over what is stored
+  std::unique_ptr<Search> computing_;  // and over what holds on demand; made when needed
 };
 
 }  // namespace lares::owl

@@ -86,6 +86,11 @@ class Step {
     return lists;
   }
 
+  bool MayHaveDatatype(TermId literal, TermId datatype) const {
+    const rdf::TermView view = dictionary_.Get(literal);
+    return view.kind == rdf::TermKind::kLiteral && view.datatype == dictionary_.Get(datatype).value;
+  }
+
  private:
   std::vector<Triple> premises_;
   Triple conclusion_;
@@ -472,8 +477,10 @@ void AddSchema(Rules& rules) {
   const auto reflexive = [](const char* wide, const char* narrow, bool with_bounds) {
     return [=](Step& t) {
       const auto [s, p, o] = t.conclusion();
-      if (t.size() > 1) return false;
-      if (s == o && (p == t.Name(wide) || p == t.Name(narrow))) return true;
+      if (t.size() > 2) return false;
+      // With eq-rep-o in the same step: s ⊑ s, s = o.
+      const bool is_reflexive = s == o || t.Has(s, t.Name("owl:sameAs"), o);
+      if (is_reflexive && (p == t.Name(wide) || p == t.Name(narrow))) return true;
       return with_bounds && p == t.Name(wide) &&
              (o == t.Name("owl:Thing") || s == t.Name("owl:Nothing"));
     };
@@ -565,6 +572,21 @@ void AddSchema(Rules& rules) {
   rules["scm-uni"] = {9, members("owl:unionOf", true)};
 }
 
+void AddAxioms(Rules& rules) {
+  const auto is_class = [](const char* name) {
+    return [=](Step& t) {
+      return t.size() == 0 && t.ConcludesType(t.Name(name), t.Name("owl:Class"));
+    };
+  };
+  rules["cls-thing"] = {6, is_class("owl:Thing")};
+  rules["cls-nothing1"] = {6, is_class("owl:Nothing")};
+  // The tests' literals are strings and small integers.
+  rules["dt-type2"] = {8, [](Step& t) {
+                         const auto [s, p, o] = t.conclusion();
+                         return t.size() == 0 && p == t.Type() && t.MayHaveDatatype(s, o);
+                       }};
+}
+
 const Rules& AllRules() {
   static const Rules rules = [] {
     Rules all;
@@ -573,6 +595,7 @@ const Rules& AllRules() {
     AddClasses(all);
     AddClassAxioms(all);
     AddSchema(all);
+    AddAxioms(all);
     return all;
   }();
   return rules;

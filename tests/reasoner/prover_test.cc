@@ -33,20 +33,13 @@ rdf::View Closed(const std::string& text) {
   return Over(rdf::View(std::make_shared<rdf::Dictionary>()), text, "test");
 }
 
-bool NamesLiterals(const rdf::View& view) {
-  if (view.equality() == nullptr) return false;
-  return !view.equality()->ForEachClass([&](std::span<const rdf::TermId> members) {
-    return std::none_of(members.begin(), members.end(), [&](rdf::TermId term) {
-      return view.dictionary().Kind(term) == rdf::TermKind::kLiteral;
-    });
-  });
-}
-
 std::vector<rdf::Triple> InferredOf(const rdf::View& view) {
   std::vector<rdf::Triple> inferred = view.Match({});
   std::erase_if(inferred, [&](const rdf::Triple& triple) { return view.IsAsserted(triple); });
   return inferred;
 }
+
+constexpr unsigned kUnreached = 1'000'000;
 
 // The least cost of a proof of each triple, by trying all steps until nothing gets cheaper.
 std::map<rdf::Triple, unsigned> LeastCosts(const rdf::View& view) {
@@ -54,7 +47,7 @@ std::map<rdf::Triple, unsigned> LeastCosts(const rdf::View& view) {
   std::vector<std::pair<rdf::Triple, std::set<rdf::Triple>>> steps;
   Derivations derivations(view);
   for (const rdf::Triple& triple : view.Match({})) {
-    costs[triple] = view.IsAsserted(triple) ? 0 : 1'000'000;
+    costs[triple] = view.IsAsserted(triple) ? 0 : kUnreached;
     derivations.ForEach(
         {triple.subject, triple.predicate, triple.object}, {}, [&](const Step& step) {
           steps.emplace_back(triple,
@@ -66,11 +59,8 @@ std::map<rdf::Triple, unsigned> LeastCosts(const rdf::View& view) {
     again = false;
     for (const auto& [conclusion, premises] : steps) {
       unsigned cost = 1;
-      for (const rdf::Triple& premise : premises) {
-        const auto known = costs.find(premise);
-        cost += known == costs.end() ? 1 : known->second;  // true of everything: one step
-      }
-      if (cost >= costs[conclusion]) continue;
+      for (const rdf::Triple& premise : premises) cost += costs.at(premise);
+      if (cost >= std::min(kUnreached, costs[conclusion])) continue;
       costs[conclusion] = cost;
       again = true;
     }
@@ -79,30 +69,42 @@ std::map<rdf::Triple, unsigned> LeastCosts(const rdf::View& view) {
 }
 
 TEST(ProverTest, EveryInferredTripleHasAProofThatTheCheckerAcceptsAndNoneIsCheaper) {
+  int asked = 0, unproved = 0;
   for (unsigned seed = 1; seed <= 150; ++seed) {
     Author author(seed);
     const std::string text = author.Text(6 + static_cast<int>(author.Below(20)));
     const rdf::View view = Closed(text);
-    // Steps with literals as subjects are not shown, and what is the same as one has them.
-    if (view.has_literal_subjects() || NamesLiterals(view)) continue;
     const auto least = LeastCosts(view);
     Prover prover(view);
     for (const rdf::Triple& triple : InferredOf(view)) {
       SCOPED_TRACE("seed " + std::to_string(seed) + ": " + ToText(triple, view.dictionary()) +
                    "\n" + text);
-      if (!least.contains(triple)) continue;  // reflexive, of something with several names
-      const std::optional<Proof> proof = prover.Why(triple);
+      std::optional<Proof> proof;
+      ++asked;
+      try {
+        ProofOptions options;
+        options.max_work = 50'000;
+        proof = prover.Why(triple, options);
+      } catch (const Error&) {
+        // By way of a triple about a literal, which no view shows.
+        ASSERT_TRUE(text.find(" 1 ") != std::string::npos ||
+                    text.find("\"text\"") != std::string::npos);
+        ++unproved;
+        continue;
+      }
       ASSERT_TRUE(proof.has_value());
       ASSERT_EQ(proof->conclusion().triple, triple);
       ASSERT_EQ(CheckProof(*proof, view), "")
           << "seed " << seed << ": " << ToText(triple, view.dictionary()) << "\n"
           << text;
+      if (least.at(triple) >= kUnreached) continue;  // rests on what is not stored
       ASSERT_EQ(proof->cost, least.at(triple))
           << "seed " << seed << ": " << ToText(triple, view.dictionary()) << "\n"
           << text;
       ASSERT_LE(proof->steps(), proof->cost);
     }
   }
+  EXPECT_LT(unproved, asked / 100);
 }
 
 TEST(ProverTest, ContradictionsHaveProofs) {
@@ -111,14 +113,13 @@ TEST(ProverTest, ContradictionsHaveProofs) {
     Author author(seed);
     const rdf::View view = Closed(author.Text(18));
     const auto proof = Prover(view).WhyContradiction();
-    if (view.has_literal_subjects() || view.equality() != nullptr) continue;
+    ASSERT_EQ(proof.has_value(), !view.layers()[0]->clashes().empty());
     if (!proof) continue;
-    ASSERT_FALSE(view.layers()[0]->clashes().empty());
     ++contradictions;
     ASSERT_TRUE(proof->conclusion().is_contradiction());
     ASSERT_EQ(CheckProof(*proof, view), "") << "seed " << seed;
   }
-  EXPECT_GT(contradictions, 5);
+  EXPECT_GT(contradictions, 20);
 }
 
 TEST(ProverTest, ProofsOverLayersNameTheDocumentsOfEach) {
@@ -152,7 +153,7 @@ TEST(ProverTest, WhatDoesNotHoldHasNoProof) {
 }
 
 TEST(ProverTest, WhatIsTrueOfEverythingIsOneStep) {
-  const rdf::View view = Closed(":x a :C .");
+  const rdf::View view = Closed(":x a :C . :C a owl:Class . :p a owl:ObjectProperty .");
   for (const char* triple :
        {":x owl:sameAs :x", ":C rdfs:subClassOf :C", ":C rdfs:subClassOf owl:Thing",
         "owl:Nothing rdfs:subClassOf :C", ":p rdfs:subPropertyOf :p"}) {
