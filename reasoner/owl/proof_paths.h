@@ -53,8 +53,11 @@ class ProofPaths {
 
   // The least cost from `source`, if it is at most `bound`, else a lower bound beyond that.
   ProofCost CostFrom(rdf::TermId source, unsigned bound);
-  // Only for a source whose cost is exact.
-  const Link& LinkFrom(rdf::TermId source) const { return settled_.at(source); }
+  // Null for a source whose cost is not exact.
+  const Link* LinkFrom(rdf::TermId source) const {
+    const auto found = settled_.find(source);
+    return found == settled_.end() ? nullptr : &found->second;
+  }
 
  private:
   struct Candidate {

@@ -432,8 +432,15 @@ class Prover::Search {
     const auto [source, p, target] = goal.triple;
     const ProofPaths& paths = PathsTo(p, target);
     std::vector<const ProofPaths::Link*> links;
-    links.push_back(&paths.LinkFrom(source));  // there may be a circle
-    while (links.back()->next != target) links.push_back(&paths.LinkFrom(links.back()->next));
+    rdf::TermId node_on_path = source;  // there may be a circle
+    do {
+      const ProofPaths::Link* link = paths.LinkFrom(node_on_path);
+      if (link == nullptr) {
+        throw Error(Code::kTooLarge, "the way of a proof by transitivity was left unfinished");
+      }
+      links.push_back(link);
+      node_on_path = link->next;
+    } while (node_on_path != target);
     std::size_t rest = 0;
     for (auto link = links.rbegin(); link != links.rend(); ++link) {
       const ProofPaths::Edge& edge = (*link)->edge;

@@ -197,8 +197,19 @@ expert_error(Exception, Kind, Text, Line, Column) :-
     ).
 
 error_kind(Exception, thrown) :- var(Exception), !.
+error_kind(error(Formal, Context), memory) :- without_memory(Formal, Context), !.
 error_kind(error(Formal, _), Kind) :- nonvar(Formal), formal_kind(Formal, Kind), !.
 error_kind(_, thrown).
+
+% A text that outgrows the memory is told as a fault of the stream that it was written to.
+without_memory(Formal, Context) :-
+    nonvar(Formal),
+    Formal = io_error(_, _),
+    nonvar(Context),
+    Context = context(_, Message),
+    ( atom(Message) ; string(Message) ),
+    !,
+    sub_string(Message, _, _, _, "allocate memory").
 
 formal_kind(syntax_error(_), syntax).
 formal_kind(permission_error(call, sandboxed, _), refused).
@@ -223,6 +234,8 @@ error_words(Exception, Text) :-
     catch(without_position(Exception, Plain), _, fail),
     edge:error_text(Plain, Text).
 
+own_words(Formal, Context, "the goal needs more memory than it may have") :-
+    without_memory(Formal, Context).
 own_words(permission_error(call, read_only, Indicator), _, Text) :-
     format(string(Text), "~q would change something: goals only ask", [Indicator]).
 own_words(permission_error(call, sandboxed, Goal), _, Text) :-
