@@ -13,7 +13,7 @@ namespace lares::owl {
 
 struct ProofOptions {
   std::size_t max_work = 2'000'000;  // triples looked at for one proof; beyond it kTooLarge
-  std::stop_token stop;               // kTimeout
+  std::stop_token stop;              // kTimeout
 };
 
 // Proofs over one closed view. What one question works out serves the next. One thread at a time.
