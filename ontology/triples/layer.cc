@@ -79,15 +79,20 @@ Layer::Layer(std::vector<Graph> graphs, Inference inference, const Dictionary* d
     : graphs_(std::move(graphs)),
       clashes_(std::move(inference.clashes)),
       clash_count_(std::max(inference.clash_count, clashes_.size())),
-      equality_(std::move(inference.equality)),
-      spo_(std::move(inference.inferred)) {
+      equality_(std::move(inference.equality)) {
   for (Graph& graph : graphs_) SortAndDeduplicate(graph.triples);
   if (graphs_.size() != 1) asserted_ = Union(graphs_);
-  spo_.reserve(spo_.size() + asserted().size());
+  SortAndDeduplicate(inference.inferred);
+  std::vector<Triple> fresh;  // asserted and not held below
+  fresh.reserve(asserted().size());
   std::set_difference(asserted().begin(), asserted().end(), inference.held_below.begin(),
-                      inference.held_below.end(), std::back_inserter(spo_));
+                      inference.held_below.end(), std::back_inserter(fresh));
+  spo_.reserve(fresh.size() + inference.inferred.size());
+  std::set_union(fresh.begin(), fresh.end(), inference.inferred.begin(), inference.inferred.end(),
+                 std::back_inserter(spo_));
+  fresh = {};
+  inference.inferred = {};
   if (equality_ != nullptr) DropImplied(*equality_, spo_);
-  SortAndDeduplicate(spo_);
   if (dictionary != nullptr) {
     has_literal_subjects_ = std::any_of(spo_.begin(), spo_.end(), [&](const Triple& triple) {
       return dictionary->Kind(triple.subject) == TermKind::kLiteral;

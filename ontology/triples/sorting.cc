@@ -32,9 +32,8 @@ void CountingPass(Component component, int shift, const std::vector<Triple>& in,
   }
 }
 
-}  // namespace
-
-void StableSortBy(Component component, std::vector<Triple>& triples) {
+// As StableSortBy. `other` is scratch, which sorts of one array share.
+void SortBy(Component component, std::vector<Triple>& triples, std::vector<Triple>& other) {
   if (triples.size() < kShort) {
     std::stable_sort(triples.begin(), triples.end(), [component](const Triple& a, const Triple& b) {
       return Number(a, component) < Number(b, component);
@@ -43,11 +42,18 @@ void StableSortBy(Component component, std::vector<Triple>& triples) {
   }
   std::uint32_t largest = 0;
   for (const Triple& triple : triples) largest = std::max(largest, Number(triple, component));
-  std::vector<Triple> other(triples.size());
+  other.resize(triples.size());
   for (int shift = 0; shift < 32 && largest >> shift != 0; shift += kDigitBits) {
     CountingPass(component, shift, triples, other);
     triples.swap(other);
   }
+}
+
+}  // namespace
+
+void StableSortBy(Component component, std::vector<Triple>& triples) {
+  std::vector<Triple> other;
+  SortBy(component, triples, other);
 }
 
 void SortAndDeduplicate(std::vector<Triple>& triples) {
@@ -55,9 +61,10 @@ void SortAndDeduplicate(std::vector<Triple>& triples) {
     if (triples.size() < kShort) {
       std::sort(triples.begin(), triples.end());
     } else {
-      StableSortBy(Component::kObject, triples);
-      StableSortBy(Component::kPredicate, triples);
-      StableSortBy(Component::kSubject, triples);
+      std::vector<Triple> other;
+      SortBy(Component::kObject, triples, other);
+      SortBy(Component::kPredicate, triples, other);
+      SortBy(Component::kSubject, triples, other);
     }
   }
   triples.erase(std::unique(triples.begin(), triples.end()), triples.end());

@@ -27,8 +27,20 @@ rdf::Triple Ground(const Atom& atom, const std::vector<rdf::TermId>& binding) {
 
 void Engine::Conclude(const Frame& frame) {
   const Rule& rule = *frame.rule;
-  if (rule.is_contradiction()) return AddClash(rule.name, PremisesOf(frame));
+  if (rule.is_contradiction()) {
+    if (IsPairOfList(frame)) AddClash(rule.name, PremisesOf(frame));
+    return;
+  }
   for (const Atom& atom : rule.heads) ConcludeTriple(frame, Ground(atom, frame.binding));
+}
+
+// Where an instance stands for all pairs with one member, the other was not looked up in the list.
+bool Engine::IsPairOfList(const Frame& frame) const {
+  const auto found = pair_members_.find(frame.cells);
+  if (found == pair_members_.end()) return true;
+  const rdf::TermId first = frame.binding[frame.rule->first_member];
+  const rdf::TermId second = frame.binding[frame.rule->second_member];
+  return first != second && found->second.Contains(Number(second));
 }
 
 // A literal is of the datatypes that hold its value, and of no other (dt-type2, dt-not-type).
@@ -74,7 +86,7 @@ void Engine::ConcludeSame(const rdf::Triple& same) {
 
 // `head` becomes known, by representatives.
 void Engine::Derive(const rdf::Triple& head, std::uint32_t origin) {
-  CheckStop();
+  Step();
   const rdf::Triple normal = equality_.empty() ? head : equality_.Normal(head);
   if (normal.predicate == words_.same_as && normal.subject != normal.object) {
     return ConcludeSame(normal);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string>
 
 #include "base/error.h"
 #include "ontology/rdf/literal_value.h"
@@ -10,7 +11,7 @@
 namespace lares::owl {
 namespace {
 
-constexpr std::uint32_t kTicksBetweenStopChecks = 4096;
+constexpr std::size_t kStepsForATriple = 1000;
 
 std::uint64_t Packed(std::size_t kind, rdf::TermId term) {
   return std::uint64_t{kind + 1} << 32 | static_cast<std::uint32_t>(term);
@@ -143,7 +144,7 @@ bool Engine::IsSchema(const rdf::Triple& triple) const {
 }
 
 void Engine::Process(std::size_t index) {
-  CheckStop();
+  Step();
   const rdf::Triple triple = facts_.At(index);
   const std::uint32_t origin = facts_.OriginOf(index);
   if (has_new_equality_ && !equality_.IsNormal(triple)) return Derive(triple, kRewritten);
@@ -175,6 +176,7 @@ void Engine::FireKey(const Key& key, const rdf::Triple& triple, std::uint32_t or
 
 void Engine::Fire(const Trigger& trigger, const rdf::Triple& triple) {
   const Rule& rule = *trigger.rule;
+  last_rule_ = &rule;
   const FrameScope scope(*this);
   Frame& frame = scope.frame();
   frame.rule = &rule;
@@ -232,10 +234,16 @@ Engine::KeyState& Engine::Activate(const Key& key) {
   return state;
 }
 
-void Engine::CheckStop() {
-  if (++ticks_ % kTicksBetweenStopChecks == 0 && stop_.stop_requested()) {
-    throw Error(Code::kTimeout, "stopped while closing the knowledge");
-  }
+void Engine::CheckLimits() const {
+  if (stop_.stop_requested()) throw Error(Code::kTimeout, "stopped while closing the knowledge");
+  if (steps_ <= options_.max_steps + kStepsForATriple * asserted_) return;
+  std::string last;
+  if (last_rule_ != nullptr) last = ", the last of them by " + last_rule_->name;
+  throw Error(Code::kTooLarge,
+              "what follows cannot be found in " + std::to_string(steps_) + " steps" + last)
+      .WithHint(
+          "property chains and keys over things that are all linked with each other, or deep "
+          "definitions, have too many ways to follow");
 }
 
 }  // namespace lares::owl

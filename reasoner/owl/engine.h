@@ -8,6 +8,7 @@
 #include <functional>
 #include <span>
 #include <stop_token>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,8 @@ class Engine {
   // cells of lists, then SettleLists(), then with all else; cheapest when schema comes before data.
   // Throws kTooLarge, kTimeout.
   void Run(std::span<const rdf::Triple> asserted);
+  // Room for about that many triples.
+  void Reserve(std::size_t triples) { facts_.Reserve(triples); }
   // To be told of each literal of the graphs: it may be of a value that is the same as a term
   // below.
   void NoteLiteral(rdf::TermId literal) {
@@ -79,6 +82,7 @@ class Engine {
 
   enum class KeyKind : std::uint8_t { kPredicate, kClass, kSubject, kObject };
   static constexpr std::size_t kKeyKinds = 4;
+  static constexpr std::size_t kStepsBetweenChecks = 4096;
   // What to do when all patterns of a join are satisfied.
   enum class Goal : std::uint8_t { kConclude, kMakeInstance, kMakeOldInstance, kWait };
   struct Key {
@@ -130,13 +134,18 @@ class Engine {
   void Fire(const Trigger& trigger, const rdf::Triple& triple);
   KeyState& StateOf(const Key& key);
   KeyState& Activate(const Key& key);
-  void CheckStop();
+  // Counts a step. Throws kTimeout, kTooLarge.
+  void Step() {
+    if (++steps_ % kStepsBetweenChecks == 0) CheckLimits();
+  }
+  void CheckLimits() const;
 
   // join.cc
   bool Unify(const Atom& atom, const rdf::Triple& triple, std::vector<rdf::TermId>& binding) const;
   bool IsNumber(rdf::TermId term, int number) const;
   bool UnifySlot(const Slot& slot, rdf::TermId term, std::vector<rdf::TermId>& binding) const;
   void Join(Frame& frame, std::size_t depth);
+  std::size_t CountOf(const rdf::Pattern& pattern) const;
   std::size_t BestNext(const Frame& frame, std::size_t depth) const;
   // Calls visit(triple) for each known match that counts. `visit` may add facts.
   template <typename Visit>
@@ -157,6 +166,10 @@ class Engine {
   void Reach(Frame& frame);
   void MakeInstances(const Frame& frame, bool evaluate);
   void MakeListInstances(const Frame& frame, bool evaluate);
+  void MakePairInstances(const Rule& rule, std::vector<rdf::TermId> binding,
+                         const std::vector<rdf::TermId>& members, std::uint32_t cells,
+                         bool evaluate);
+  void Evaluate(const Rule& rule, const std::vector<rdf::TermId>& binding, std::uint32_t cells);
   void MakeInstance(const Rule& rule, const std::vector<rdf::TermId>& binding, std::uint32_t cells,
                     bool always_waits, bool evaluate);
   void ReadListAgain(const rdf::Triple& cell);
@@ -168,6 +181,7 @@ class Engine {
 
   // conclusions.cc
   void Conclude(const Frame& frame);
+  bool IsPairOfList(const Frame& frame) const;
   void ConcludeTriple(const Frame& frame, const rdf::Triple& head);
   bool Knows(const rdf::Triple& triple) const;
   bool IsTrivial(const rdf::Triple& triple) const;
@@ -186,7 +200,9 @@ class Engine {
   void ConcludeReflexive(rdf::TermId term);
 
   // datatypes.cc
-  bool IsDatatype(rdf::TermId term) const { return datatypes_.Contains(Number(term)); }
+  bool IsDatatype(rdf::TermId term) const {
+    return term != rdf::kAnyTerm && datatypes_.Contains(Number(term));
+  }
   bool IsInDatatype(rdf::TermId literal, rdf::TermId datatype) const;
   bool IsOutsideDatatype(rdf::TermId literal, rdf::TermId datatype) const;
   bool IsTypedByDatatypes(const Rule& rule, const std::vector<rdf::TermId>& binding) const;
@@ -223,6 +239,8 @@ class Engine {
   std::deque<KeyState> states_;
   std::vector<rdf::TermId> bindings_;
   std::vector<std::vector<rdf::Triple>> cells_{{}};  // premises from lists; [0] is empty
+  // By index into cells_: the members of a list of which any two matter, where pairs are too many.
+  std::unordered_map<std::uint32_t, FlatSet> pair_members_;
   std::deque<TransitiveClosure> closures_;
   std::deque<Frame> frames_;
   std::size_t frames_in_use_ = 0;
@@ -231,7 +249,8 @@ class Engine {
   std::vector<rdf::Clash> clashes_;
   FlatSet clash_keys_;
   std::size_t asserted_ = 0;
-  std::uint32_t ticks_ = 0;
+  std::size_t steps_ = 0;
+  const Rule* last_rule_ = nullptr;  // that was joined
 };
 
 }  // namespace lares::owl

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "reasoner/owl/table_memory.h"
+
 namespace lares::owl {
 
 inline std::uint64_t MixBits(std::uint64_t key) {
@@ -15,11 +17,24 @@ inline std::uint64_t MixBits(std::uint64_t key) {
 // Open addressing; keys are never 0 and never erased.
 class FlatMap {
  public:
+  struct Entry {
+    std::uint64_t key = 0;
+    std::uint32_t value = 0;
+    std::uint32_t count = 0;  // for the owner's use
+  };
+
+  explicit FlatMap(TableMemory* memory = nullptr) : cells_(memory) {}
+
   // 0 for a key that is absent.
   std::uint32_t Find(std::uint64_t key) const {
     if (cells_.empty()) return 0;
-    const Cell& cell = cells_[IndexOf(key)];
+    const Entry& cell = cells_[IndexOf(key)];
     return cell.key == key ? cell.value : 0;
+  }
+  std::uint32_t CountOf(std::uint64_t key) const {
+    if (cells_.empty()) return 0;
+    const Entry& cell = cells_[IndexOf(key)];
+    return cell.key == key ? cell.count : 0;
   }
 
   bool Contains(std::uint64_t key) const {
@@ -27,24 +42,20 @@ class FlatMap {
   }
 
   // The value of `key`, 0 when it is new. Valid until the next call.
-  std::uint32_t& operator[](std::uint64_t key) {
+  std::uint32_t& operator[](std::uint64_t key) { return EntryOf(key).value; }
+  Entry& EntryOf(std::uint64_t key) {
     if (2 * (size_ + 1) > cells_.size()) Grow();
-    Cell& cell = cells_[IndexOf(key)];
+    Entry& cell = cells_[IndexOf(key)];
     if (cell.key == 0) {
       cell.key = key;
       ++size_;
     }
-    return cell.value;
+    return cell;
   }
 
   std::size_t size() const { return size_; }
 
  private:
-  struct Cell {
-    std::uint64_t key = 0;
-    std::uint32_t value = 0;
-  };
-
   std::size_t IndexOf(std::uint64_t key) const {
     const std::size_t mask = cells_.size() - 1;
     std::size_t i = MixBits(key) & mask;
@@ -52,15 +63,17 @@ class FlatMap {
     return i;
   }
 
+  using Cells = std::vector<Entry, TableAllocator<Entry>>;
+
   void Grow() {
-    std::vector<Cell> old(cells_.empty() ? 16 : 2 * cells_.size());
+    Cells old(cells_.empty() ? 16 : 2 * cells_.size(), cells_.get_allocator());
     old.swap(cells_);
-    for (const Cell& cell : old) {
+    for (const Entry& cell : old) {
       if (cell.key != 0) cells_[IndexOf(cell.key)] = cell;
     }
   }
 
-  std::vector<Cell> cells_;
+  Cells cells_;
   std::size_t size_ = 0;
 };
 
@@ -89,15 +102,17 @@ class FlatSet {
     return i;
   }
 
+  using Cells = std::vector<std::uint64_t>;
+
   void Grow() {
-    std::vector<std::uint64_t> old(cells_.empty() ? 16 : 2 * cells_.size());
+    Cells old(cells_.empty() ? 16 : 2 * cells_.size());
     old.swap(cells_);
     for (const std::uint64_t cell : old) {
       if (cell != 0) cells_[IndexOf(cell)] = cell;
     }
   }
 
-  std::vector<std::uint64_t> cells_;
+  Cells cells_;
   std::size_t size_ = 0;
 };
 

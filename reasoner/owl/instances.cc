@@ -6,6 +6,11 @@
 #include "reasoner/owl/lists.h"
 
 namespace lares::owl {
+namespace {
+
+constexpr std::size_t kFewMembers = 4;
+
+}  // namespace
 
 void Engine::Reach(Frame& frame) {
   switch (frame.goal) {
@@ -62,15 +67,56 @@ void Engine::MakeListInstances(const Frame& frame, bool evaluate) {
       MakeInstance(written_rules_.back(), nothing, cells, true, evaluate);
       continue;
     }
-    for (std::size_t i = 0; i < members.size(); ++i) {
-      binding[rule.first_member] = members[i];
-      if (rule.list_use == ListUse::kEach) MakeInstance(rule, binding, cells, true, evaluate);
-      if (rule.list_use != ListUse::kPairs) continue;
-      for (std::size_t j = i + 1; j < members.size(); ++j) {
-        binding[rule.second_member] = members[j];
-        MakeInstance(rule, binding, cells, true, evaluate);
-      }
+    if (rule.list_use == ListUse::kPairs) {
+      MakePairInstances(rule, binding, members, cells, evaluate);
+      continue;
     }
+    for (const rdf::TermId member : members) {
+      binding[rule.first_member] = member;
+      MakeInstance(rule, binding, cells, true, evaluate);
+    }
+  }
+}
+
+// Where members are many an instance is made for each, not for each pair: what it finds is looked
+// up in the list afterwards.
+void Engine::MakePairInstances(const Rule& rule, std::vector<rdf::TermId> binding,
+                               const std::vector<rdf::TermId>& members, std::uint32_t cells,
+                               bool evaluate) {
+  const auto make_pair = [&](rdf::TermId first, rdf::TermId second, std::uint32_t its_cells) {
+    binding[rule.first_member] = first;
+    binding[rule.second_member] = second;
+    MakeInstance(rule, binding, its_cells, true, evaluate);
+  };
+  const bool has_datatype = std::any_of(members.begin(), members.end(),
+                                        [this](rdf::TermId member) { return IsDatatype(member); });
+  if (members.size() <= kFewMembers || has_datatype) {
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      for (std::size_t j = i + 1; j < members.size(); ++j) make_pair(members[i], members[j], cells);
+    }
+    return;
+  }
+  FlatSet distinct;
+  std::uint32_t cells_of_doubles = 0;
+  for (const rdf::TermId member : members) {
+    const rdf::TermId normal = equality_.Representative(member);
+    if (distinct.Insert(Number(normal))) continue;
+    if (cells_of_doubles == 0) {
+      cells_of_doubles = static_cast<std::uint32_t>(cells_.size());
+      cells_.push_back(std::vector<rdf::Triple>(cells_[cells]));
+    }
+    make_pair(normal, normal, cells_of_doubles);
+  }
+  // Two members that become the same make the list one with doubles, and it is read again.
+  const bool asks_for_sameness = rdf::TermId{rule.data[0].predicate.value} == words_.same_as &&
+                                 !rule.data[0].predicate.is_variable;
+  if (asks_for_sameness) return;
+  pair_members_.emplace(cells, std::move(distinct));
+  binding[rule.second_member] = rdf::kAnyTerm;
+  for (const rdf::TermId member : members) {
+    binding[rule.first_member] = equality_.Representative(member);
+    Wait({&rule, 0, false, 0, cells}, KeyOf(rule, rule.data[0], binding), binding);
+    if (evaluate) Evaluate(rule, binding, cells);
   }
 }
 
@@ -84,7 +130,11 @@ void Engine::MakeInstance(const Rule& rule, const std::vector<rdf::TermId>& bind
     if (always_waits || is_of_datatype || StateOf(key).is_active)
       Wait({&rule, i, false, 0, cells}, key, binding);
   }
-  if (!evaluate) return;
+  if (evaluate) Evaluate(rule, binding, cells);
+}
+
+void Engine::Evaluate(const Rule& rule, const std::vector<rdf::TermId>& binding,
+                      std::uint32_t cells) {
   const FrameScope scope(*this);
   Frame& frame = scope.frame();
   frame.rule = &rule;
@@ -94,6 +144,7 @@ void Engine::MakeInstance(const Rule& rule, const std::vector<rdf::TermId>& bind
   frame.binding = binding;
   frame.order.resize(rule.data.size());
   std::iota(frame.order.begin(), frame.order.end(), 0U);
+  last_rule_ = &rule;
   Join(frame, 0);
 }
 

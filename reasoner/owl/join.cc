@@ -45,32 +45,46 @@ bool Engine::IsNumber(rdf::TermId term, int number) const {
   return has_value(term) || std::any_of(members.begin(), members.end(), has_value);
 }
 
+std::size_t Engine::CountOf(const rdf::Pattern& pattern) const {
+  return facts_.Count(pattern) + below_.Estimate(pattern);
+}
+
 std::size_t Engine::BestNext(const Frame& frame, std::size_t depth) const {
   std::size_t best = depth;
   int best_score = -1;
+  std::size_t best_count = SIZE_MAX;  // of matches, when it was asked for
   for (std::size_t i = depth; i < frame.order.size(); ++i) {
     const rdf::Pattern pattern = (*frame.atoms)[frame.order[i]].In(frame.binding);
     // Which literals are of a datatype is known of each, but cannot be listed.
     const bool is_of_datatype = pattern.predicate == words_.type &&
                                 pattern.subject == rdf::kAnyTerm && IsDatatype(pattern.object);
     const int score = is_of_datatype ? 0 : Selectivity(pattern);
-    if (score > best_score) {
-      best = i;
-      best_score = score;
+    if (score < best_score) continue;
+    // Of equals the one with fewer matches: p onProperty is known of many, C someValuesFrom of few.
+    std::size_t count = SIZE_MAX;
+    if (score == best_score) {
+      if (best_count == SIZE_MAX)
+        best_count = CountOf((*frame.atoms)[frame.order[best]].In(frame.binding));
+      count = CountOf(pattern);
+      if (count >= best_count) continue;
     }
+    best = i;
+    best_score = score;
+    best_count = count;
   }
   return best;
 }
 
 void Engine::Join(Frame& frame, std::size_t depth) {
   if (depth == frame.order.size()) return Reach(frame);
-  CheckStop();
   if (depth + 1 < frame.order.size()) {
     std::swap(frame.order[depth], frame.order[BestNext(frame, depth)]);
   }
   const Atom& atom = (*frame.atoms)[frame.order[depth]];
   const rdf::Pattern pattern = atom.In(frame.binding);
+  Step();
   const auto visit = [&](const rdf::Triple& triple) {
+    Step();
     if (Unify(atom, triple, frame.binding)) Join(frame, depth + 1);
     Unbind(atom.subject, pattern.subject, frame.binding);
     Unbind(atom.predicate, pattern.predicate, frame.binding);

@@ -1,5 +1,7 @@
 #include "reasoner/owl/lists.h"
 
+#include <bit>
+
 #include "base/error.h"
 
 namespace lares::owl {
@@ -12,6 +14,7 @@ constexpr std::size_t kMaxSteps = 4'000'000;
 struct Partial {
   rdf::TermId cell;
   ListReading reading;
+  rdf::TermId mark{};  // a cell met since the last fork; met again, there is no way out
 };
 
 Slot Constant(rdf::TermId id) { return {false, static_cast<std::uint32_t>(id)}; }
@@ -62,14 +65,17 @@ std::vector<ListReading> ReadLists(rdf::TermId head, const Vocabulary& words,
       if (readings.size() == kMaxReadings) break;
       continue;
     }
-    if (partial.reading.members.size() == kMaxMembers) continue;  // a circle
+    const std::size_t length = partial.reading.members.size();
+    if (length == kMaxMembers || partial.cell == partial.mark) continue;  // a circle
+    if (std::has_single_bit(length)) partial.mark = partial.cell;
     const auto members = objects_of(partial.cell, words.first);
     const auto rests = objects_of(partial.cell, words.rest);
     const std::size_t ways = members.size() * rests.size();
     for (std::size_t way = 0; way < ways && open.size() < kMaxReadings; ++way) {
       const rdf::TermId member = members[way / rests.size()];
       const rdf::TermId rest = rests[way % rests.size()];
-      Partial longer{rest, way + 1 == ways ? std::move(partial.reading) : partial.reading};
+      Partial longer{rest, way + 1 == ways ? std::move(partial.reading) : partial.reading,
+                     ways == 1 ? partial.mark : rdf::kAnyTerm};
       longer.reading.members.push_back(member);
       longer.reading.cells.push_back({partial.cell, words.first, member});
       longer.reading.cells.push_back({partial.cell, words.rest, rest});

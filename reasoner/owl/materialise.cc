@@ -15,6 +15,9 @@ struct Asserted {
 
 Asserted Arrange(const std::vector<rdf::Graph>& graphs, const rdf::View& below, Engine& engine) {
   Asserted asserted;
+  std::size_t count = 0;
+  for (const rdf::Graph& graph : graphs) count += graph.triples.size();
+  asserted.data.reserve(count);
   for (const rdf::Graph& graph : graphs) {
     for (const rdf::Triple& triple : graph.triples) {
       engine.NoteLiteral(triple.object);
@@ -49,6 +52,9 @@ std::shared_ptr<const rdf::Layer> Materialise(const rdf::View& below,
                                               const Options& options, std::stop_token stop) {
   Engine engine(below, options, std::move(stop));
   Asserted asserted = Arrange(graphs, below, engine);
+  const std::size_t count =
+      asserted.list_cells.size() + asserted.schema.size() + asserted.data.size();
+  engine.Reserve(count + count / 2);
   engine.Run(asserted.list_cells);
   engine.SettleLists();
   engine.Run(asserted.schema);

@@ -12,7 +12,10 @@ namespace lares::owl {
 
 struct Options {
   std::size_t max_inferred = 10'000'000;  // triples of one layer; beyond it kTooLarge
-  std::size_t max_clashes = 100;          // contradictions kept; later ones are only counted
+  // Matches of patterns tried, beyond 1 000 for each asserted triple; then kTooLarge. Ends what
+  // takes ages to conclude little, such as chains over cliques; some seconds.
+  std::size_t max_steps = 200'000'000;
+  std::size_t max_clashes = 100;  // contradictions kept; later ones are only counted
 };
 
 // The closure of `below` ∪ `graphs` under the OWL 2 RL/RDF rules (W3C OWL 2 Profiles, tables 4–9),

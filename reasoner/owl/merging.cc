@@ -10,7 +10,7 @@ void Engine::JoinPendingClasses() {
 }
 
 void Engine::JoinClasses(rdf::TermId a, rdf::TermId b) {
-  CheckStop();
+  Step();
   const std::vector<rdf::TermId> moved = equality_.Merge(a, b);
   if (moved.empty()) return;
   has_new_equality_ = true;
