@@ -4,34 +4,15 @@ set -euo pipefail
 build="$1"
 lares="$build/server/cli/lares"
 work="$(mktemp -d)"
-server=""
-trap '[ -n "$server" ] && { kill -KILL "$server"; wait "$server"; } 2>/dev/null; rm -rf "$work"' EXIT
+trap clean_up EXIT
 export LARES_SHARE="$PWD"
-short=0
-
-median() { sort -g | awk '{v[NR] = $1} END {print v[int((NR + 1) / 2)]}'; }
-
-# row WHAT RELATION LIMIT UNIT MEASURED
-row() {
-  local verdict=ok
-  awk -v m="$5" -v l="$3" "BEGIN {exit !(m $2 l)}" || { verdict="SHORT"; short=1; }
-  printf '%-62s %2s %-9s %12s  %-10s load %s  %s\n' "$1" "$2" "$3" "$(printf '%.4g' "$5")" "$4" \
-    "$(cut -d' ' -f1 /proc/loadavg)" "$verdict"
-}
-
-port=$((20000 + RANDOM % 20000))
-url="http://127.0.0.1:$port"
-serve() { "$lares" serve --port "$port" --data "$work/store" >/dev/null 2>"$work/log" & server=$!; }
-ready() { until curl -fs -o /dev/null "$url/readyz"; do sleep 0.005; done; }
-stop() { kill -TERM "$server"; wait "$server" 2>/dev/null || true; server=""; }
+. benchmarks/rows.sh
 now() { date +%s.%N; }
 
-printf '%-62s %-12s %12s\n' "what" "to reach" "measured (median of 5)"
+heading
 
 # In the process: parsing, lookups, planning, places.
-while IFS=$'\t' read -r what relation limit unit measured; do
-  row "$what" "$relation" "$limit" "$unit" "$measured"
-done < <("$build/benchmarks/knowledge_bench")
+rows "$build/benchmarks/knowledge_bench"
 
 # A hundred environments stored, then five cold starts.
 serve; ready
@@ -75,6 +56,5 @@ for i in 1 2 3 4 5; do
   printf '%s' "$i" >>"$work/features.bin" # the next one is another blob
 done
 row "200 MB layer up and down: growth of the server's memory peak" "<" 16 MiB "$(median <"$work/growth")"
-printf '%-62s    %-9s %12s  %-10s load %s\n' "  … and the time for both, checks and syncs included" "-" \
-  "$(printf '%.4g' "$(median <"$work/updown")")" s "$(cut -d' ' -f1 /proc/loadavg)"
+row "  … and the time for both, checks and syncs included" - - s "$(median <"$work/updown")"
 exit "$short"

@@ -1,16 +1,14 @@
-// In-process rows of `benchmarks/run knowledge`, tab-separated: what, relation, limit, unit,
-// measured. Each figure is the median of five runs. Real data is used where LARES_DATA names it.
-#include <algorithm>
-#include <chrono>
+// In-process rows of `benchmarks/run knowledge` (measure.h tells their form). Each figure is the
+// median of five runs. Real data is used where LARES_DATA names it.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <functional>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "base/file.h"
+#include "benchmarks/measure.h"
 #include "ontology/rdf/reader.h"
 #include "reasoner/owl/materialise.h"
 #include "server/knowledge/knowledge.h"
@@ -18,26 +16,11 @@
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 using namespace lares;
 
-double SecondsOf(const std::function<void()>& work) {
-  const auto begin = Clock::now();
-  work();
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
-double MedianOfFive(const std::function<double()>& measure) {
-  std::vector<double> values;
-  for (int i = 0; i < 5; ++i) values.push_back(measure());
-  std::sort(values.begin(), values.end());
-  return values[2];
-}
-
-void Row(const char* what, const char* relation, double limit, const char* unit, double measured) {
-  std::printf("%s\t%s\t%g\t%s\t%.4g\n", what, relation, limit, unit, measured);
-  std::fflush(stdout);
-}
+using bench::MedianOfFive;
+using bench::Row;
+using bench::SecondsOf;
 
 // 300 000 triples with the mixture of a map: many subjects, few predicates, shared objects.
 std::string SyntheticNTriples() {
@@ -98,43 +81,39 @@ server::PutRequest FileRequest(store::DocumentKind kind, const fs::path& file) {
 }
 
 void MeasureQuestions() {
-  std::string folder = (fs::temp_directory_path() / "lares-bench-XXXXXX").string();
-  if (::mkdtemp(folder.data()) == nullptr) throw Error(Code::kIo, "no temporary folder");
-  {
-    const auto store = store::OpenSqliteStore({folder});
-    prolog::EnginePool engines;
-    server::Knowledge knowledge(*store, engines);
-    const char* data = std::getenv("LARES_DATA");
-    const fs::path source = LARES_SOURCE_DIR;
-    std::string task = "object-search";
-    std::string robot = "helper";
-    if (data != nullptr) {
-      task = "FindBottle";
-      robot = "PR2";
-      knowledge.Put(FileRequest(store::DocumentKind::kRecipe,
-                                fs::path(data) / "roboearth/recipes/object-search-recipe.owl"));
-      knowledge.Put(
-          FileRequest(store::DocumentKind::kRobot, fs::path(data) / "roboearth/robots/PR2.owl"));
-    } else {
-      knowledge.Put(
-          FileRequest(store::DocumentKind::kRecipe, source / "recipes/library/object-search.ttl"));
-      knowledge.Put(FileRequest(store::DocumentKind::kRobot, source / "robots/models/helper.ttl"));
-    }
-    const auto plan = [&] {
-      if (!knowledge.MakePlan({task, robot}).result.plan) throw Error(Code::kInternal, "no plan");
-    };
-    plan();
-    const std::string what = "matching and planning " + task + " for " + robot + ", warm";
-    Row(what.c_str(), "<", 10, "ms", MedianOfFive([&] { return 1e3 * SecondsOf(plan); }));
-    const auto where = [&] {
-      if (knowledge.Where({"Cup", "", "", 0}).rooms.empty()) {
-        throw Error(Code::kInternal, "no place");
-      }
-    };
-    where();
-    Row("where Cup, warm", "<", 1, "ms", MedianOfFive([&] { return 1e3 * SecondsOf(where); }));
+  const bench::TemporaryFolder folder;
+  const auto store = store::OpenSqliteStore({folder.path()});
+  prolog::EnginePool engines;
+  server::Knowledge knowledge(*store, engines);
+  const char* data = std::getenv("LARES_DATA");
+  const fs::path source = LARES_SOURCE_DIR;
+  std::string task = "object-search";
+  std::string robot = "helper";
+  if (data != nullptr) {
+    task = "FindBottle";
+    robot = "PR2";
+    knowledge.Put(FileRequest(store::DocumentKind::kRecipe,
+                              fs::path(data) / "roboearth/recipes/object-search-recipe.owl"));
+    knowledge.Put(
+        FileRequest(store::DocumentKind::kRobot, fs::path(data) / "roboearth/robots/PR2.owl"));
+  } else {
+    knowledge.Put(
+        FileRequest(store::DocumentKind::kRecipe, source / "recipes/library/object-search.ttl"));
+    knowledge.Put(FileRequest(store::DocumentKind::kRobot, source / "robots/models/helper.ttl"));
   }
-  fs::remove_all(folder);
+  const auto plan = [&] {
+    if (!knowledge.MakePlan({task, robot}).result.plan) throw Error(Code::kInternal, "no plan");
+  };
+  plan();
+  const std::string what = "matching and planning " + task + " for " + robot + ", warm";
+  Row(what, "<", 10, "ms", MedianOfFive([&] { return 1e3 * SecondsOf(plan); }));
+  const auto where = [&] {
+    if (knowledge.Where({"Cup", "", "", 0}).rooms.empty()) {
+      throw Error(Code::kInternal, "no place");
+    }
+  };
+  where();
+  Row("where Cup, warm", "<", 1, "ms", MedianOfFive([&] { return 1e3 * SecondsOf(where); }));
 }
 
 }  // namespace

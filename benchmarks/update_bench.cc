@@ -2,10 +2,7 @@
 // the processor (median of five) to take it back, to put it back, and to make the layer anew
 // without it, and how many triples the layer has before and after. Data is what LARES_DATA names;
 // without it only the chain is measured. Fails when a layer kept up differs in size.
-#include <zlib.h>
-
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -21,6 +18,7 @@
 #include "ontology/rdf/reader.h"
 #include "ontology/rdf/vocabulary.h"
 #include "reasoner/owl/update.h"
+#include "tests/reasoner/lubm.h"
 
 namespace {
 
@@ -102,15 +100,8 @@ class Bench {
   }
 
   void Lubm(const fs::path& folder) {
-    std::string text;
-    std::array<char, 1 << 16> buffer{};
-    gzFile file = gzopen((folder / "lubm-1-0-0.nt.gz").c_str(), "rb");
-    for (int n = 0; (n = gzread(file, buffer.data(), buffer.size())) > 0;) {
-      text.append(buffer.data(), static_cast<std::size_t>(n));
-    }
-    gzclose(file);
     const rdf::Graph schema = Read(folder / "ontology/univ-bench.ttl");
-    const rdf::Graph data = Read("lubm.nt", text);
+    const rdf::Graph data = Read("lubm.nt", testing::LubmData(folder));
     const Layer layer = owl::Materialise(Empty(), {schema, data});
     for (const std::size_t count : {1, 10, 100, 1000}) {
       Measure("LUBM(1), " + std::to_string(count) + " triples at random", Empty(), layer,

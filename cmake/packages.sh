@@ -1,4 +1,4 @@
-# Sourced by ./start and ./check: the Debian packages that Lares needs, and how to get them.
+# Sourced by ./start, ./check and benchmarks/run: the Debian packages that Lares needs, and how to get them.
 
 packages_to_build="build-essential cmake ninja-build pkg-config ccache mold ca-certificates
   libeigen3-dev libraptor2-dev libserd-dev libxml2-dev swi-prolog-nox libcpp-httplib-dev libssl-dev
@@ -6,6 +6,7 @@ packages_to_build="build-essential cmake ninja-build pkg-config ccache mold ca-c
   libarchive-dev liboctomap-dev libpcre2-dev"
 packages_to_test="libgtest-dev libgmock-dev libbenchmark-dev clang-format-14 curl graphviz wrk
   libxml2-utils"
+packages_to_compare="konclude" # what benchmarks measure Lares against
 packages_to_test_long="clang-14 libclang-rt-14-dev clang-tidy-14"
 
 # need_packages NAME… : installs what is missing, and says so first.

@@ -1,0 +1,439 @@
+// Lares beside Konclude, an independent reasoner of OWL 2 DL, on one file of OWL/XML for both.
+//
+// Within OWL 2 RL its rules find every atomic assertion that follows (OWL 2 Profiles, theorem PR1),
+// so both must find the same. That covers the classes and properties too, for each class has a
+// member here that nothing else is said of, and each object property a pair. On all of the part
+// that is valid OWL 2 DL, Lares may conclude less, never anything else: there the classes are
+// compared (Konclude 0.7 crashes at finding the types of RoboEarth's individuals).
+//
+// konclude_bench NAME FILE… : rows for the ontologies FILE… taken together (measure.h tells their
+// form); what is punned, left out or different goes to standard error.
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "benchmarks/measure.h"
+#include "benchmarks/owl_parts.h"
+#include "ontology/rdf/document_builder.h"
+#include "ontology/rdf/merge.h"
+#include "ontology/rdf/owl_syntax/owl_writers.h"
+#include "ontology/rdf/reader.h"
+#include "ontology/rdf/vocabulary.h"
+#include "reasoner/owl/materialise.h"
+
+namespace lares::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using Facts = std::set<std::string>;  // "x type C", "x p y", of names alone
+
+const std::string kType = std::string(rdf::kRdf) + "type";
+const std::string kSubClassOf = std::string(rdf::kRdfs) + "subClassOf";
+constexpr const char* kProbe = "http://example.org/probe/";
+
+// ---- What both are given ------------------------------------------------------------------------
+
+rdf::Document ReadAll(const std::vector<std::string>& files) {
+  std::vector<rdf::Document> documents;
+  for (const std::string& file : files) {
+    rdf::ReadOptions options;
+    options.source = file;
+    options.base_iri = "http://example.org/" + fs::path(file).filename().string();
+    const std::string bytes = ReadFile(file);
+    documents.push_back(ReadRdf(bytes, rdf::GuessFormat("", file, bytes), options));
+  }
+  return rdf::MergeOntologies(documents);
+}
+
+std::vector<std::string> NamesOf(const rdf::Document& document,
+                                 const std::vector<rdf::OwlNode>& axioms, rdf::Construct kind) {
+  std::set<std::string> names;
+  for (const rdf::OwlNode& axiom : axioms) {
+    if (axiom.construct != rdf::Construct::kDeclaration) continue;
+    const rdf::OwlNode& entity = axiom.arguments[0];
+    const rdf::OwlNode& name =
+        entity.kind == rdf::OwlNode::Kind::kConstruct ? entity.arguments[0] : entity;
+    if (entity.construct == kind) names.insert(document.terms[name.term].value);
+  }
+  return {names.begin(), names.end()};
+}
+
+std::string ToOwlXml(const rdf::Document& document, std::vector<rdf::OwlNode> axioms) {
+  rdf::OwlOntology ontology;
+  ontology.axioms = std::move(axioms);
+  return rdf::PrintOwlXml(document, ontology);
+}
+
+struct Probed {
+  std::string owl_xml;
+  std::vector<std::string> properties;                 // object properties declared
+  std::map<std::string, std::string> class_of_member;  // that stands for it
+};
+
+// The axioms with a member for each class and a pair for each object property that they declare.
+Probed WithProbes(const rdf::Document& document, std::vector<rdf::OwlNode> axioms) {
+  rdf::Document probed = document;
+  probed.prefixes.clear();
+  const auto iri = [&](const std::string& value) {
+    probed.terms.push_back({rdf::TermKind::kIri, value, "", ""});
+    return rdf::OwlNode::Leaf(rdf::OwlNode::Kind::kIri,
+                              static_cast<std::uint32_t>(probed.terms.size() - 1));
+  };
+  Probed result;
+  std::size_t count = 0;
+  for (const std::string& name : NamesOf(document, axioms, rdf::Construct::kClass)) {
+    if (name.starts_with(rdf::kOwl)) continue;
+    const std::string member = kProbe + std::to_string(++count);
+    result.class_of_member[member] = name;
+    axioms.push_back(rdf::OwlNode::Of(rdf::Construct::kClassAssertion, {iri(name), iri(member)}));
+  }
+  result.properties = NamesOf(document, axioms, rdf::Construct::kObjectProperty);
+  std::erase_if(result.properties,
+                [](const std::string& name) { return name.starts_with(rdf::kOwl); });
+  for (const std::string& name : result.properties) {
+    ++count;
+    axioms.push_back(rdf::OwlNode::Of(rdf::Construct::kObjectPropertyAssertion,
+                                      {iri(name), iri(kProbe + std::to_string(count) + "/from"),
+                                       iri(kProbe + std::to_string(count) + "/to")}));
+  }
+  result.owl_xml = ToOwlXml(probed, std::move(axioms));
+  return result;
+}
+
+// ---- Lares --------------------------------------------------------------------------------------
+
+struct Conclusions {
+  Facts facts;
+  bool is_consistent = true;
+  Facts contradicting;  // the premises of contradictions
+};
+
+bool IsName(const rdf::View& view, rdf::TermId term) {
+  return view.dictionary().Kind(term) == rdf::TermKind::kIri;
+}
+
+Conclusions ByLares(const fs::path& file, const std::vector<std::string>& properties) {
+  rdf::ReadOptions options;
+  options.source = file.filename().string();
+  const auto dictionary = std::make_shared<rdf::Dictionary>();
+  rdf::View view(dictionary);
+  const rdf::Document document = ReadRdf(ReadFile(file), rdf::Format::kOwlXml, options);
+  view = view.With(owl::Materialise(view, {rdf::MakeGraph(document, "it", {}, *dictionary)}));
+  Conclusions found;
+  const auto text = [&](rdf::TermId term) { return std::string(dictionary->Get(term).value); };
+  for (const rdf::Clash& clash : view.layers()[0]->clashes()) {
+    found.is_consistent = false;
+    for (const auto& [s, p, o] : clash.premises) {
+      found.contradicting.insert(text(s) + ' ' + text(p) + ' ' + text(o));
+    }
+  }
+  const auto add = [&](const std::string& property) {
+    const rdf::TermId p = dictionary->InternIri(property);
+    view.ForEach({{}, p, {}}, [&](const rdf::Triple& triple) {
+      if (!IsName(view, triple.subject) || !IsName(view, triple.object)) return true;
+      found.facts.insert(text(triple.subject) + ' ' + property + ' ' + text(triple.object));
+      return true;
+    });
+  };
+  add(kType);
+  for (const std::string& property : properties) add(property);
+  return found;
+}
+
+// ---- Konclude -----------------------------------------------------------------------------------
+
+void Run(const std::string& command, const fs::path& log) {
+  const std::string line = "timeout 300 Konclude " + command + " >" + log.string() + " 2>&1";
+  if (std::system(line.c_str()) != 0) throw Error(Code::kInternal, "Konclude failed: " + line);
+}
+
+std::string Unescaped(std::string text) {
+  for (std::size_t at = 0; (at = text.find("&amp;", at)) != std::string::npos; ++at) {
+    text.erase(at + 1, 4);
+  }
+  return text;
+}
+
+// The IRIs bound to x and y in answers written one after the other.
+void ReadAnswers(const std::string& text, const std::vector<std::string>& properties,
+                 Facts& facts) {
+  std::size_t at = 0;
+  for (const std::string& property : properties) {
+    at = text.find("<sparql", at);
+    if (at == std::string::npos) throw Error(Code::kInternal, "Konclude answered too few queries");
+    const std::size_t end = text.find("</sparql>", at);
+    std::string subject;
+    while (true) {
+      const std::size_t binding = text.find("<binding name=\"", at);
+      if (binding >= end) break;
+      const char variable = text[binding + 15];
+      const std::size_t close = text.find("</binding>", binding);
+      const std::size_t uri = text.find("<uri>", binding);
+      at = close;
+      std::string value;  // stays empty for what is no IRI
+      if (uri < close) {
+        value = Unescaped(text.substr(uri + 5, text.find("</uri>", uri) - uri - 5));
+      }
+      if (variable == 'x') {
+        subject = value;
+      } else if (!subject.empty() && !value.empty()) {
+        facts.insert(subject + ' ' + property + ' ' + value);
+      }
+    }
+    at = end;
+  }
+}
+
+// Calls the function for each `property` between two IRIs in a file of OWL/XML.
+void ForEachNamed(const fs::path& file, const std::string& property,
+                  const std::function<void(const std::string&, const std::string&)>& visit) {
+  rdf::ReadOptions options;
+  options.source = file.filename().string();
+  const rdf::Document document = ReadRdf(ReadFile(file), rdf::Format::kOwlXml, options);
+  for (const rdf::Statement& statement : document.statements) {
+    const auto& s = document.terms[statement.subject];
+    const auto& o = document.terms[statement.object];
+    if (document.terms[statement.predicate].value != property) continue;
+    if (s.kind == rdf::TermKind::kIri && o.kind == rdf::TermKind::kIri) visit(s.value, o.value);
+  }
+}
+
+// "c subClassOf d", for all that there is between names.
+Conclusions ClassesByKonclude(const fs::path& file) {
+  const fs::path folder = file.parent_path();
+  Run("classification -w 2 -i " + file.string() + " -o " + (folder / "classes.owx").string(),
+      folder / "log");
+  Conclusions found;
+  found.is_consistent = ReadFile(folder / "log").find("inconsistent") == std::string::npos;
+  std::map<std::string, std::set<std::string>> above;
+  ForEachNamed(folder / "classes.owx", kSubClassOf,
+               [&](const std::string& c, const std::string& d) { above[c].insert(d); });
+  ForEachNamed(folder / "classes.owx", std::string(rdf::kOwl) + "equivalentClass",
+               [&](const std::string& c, const std::string& d) {
+                 above[c].insert(d);
+                 above[d].insert(c);
+               });
+  for (const auto& [c, direct] : above) {
+    std::vector<std::string> todo(direct.begin(), direct.end());
+    std::set<std::string> seen;
+    while (!todo.empty()) {
+      const std::string d = todo.back();
+      todo.pop_back();
+      if (!seen.insert(d).second) continue;
+      if (d != c) found.facts.insert(c + ' ' + kSubClassOf + ' ' + d);
+      const auto next = above.find(d);
+      if (next != above.end()) todo.insert(todo.end(), next->second.begin(), next->second.end());
+    }
+  }
+  return found;
+}
+
+Conclusions ByKonclude(const fs::path& file, const std::vector<std::string>& properties) {
+  const fs::path folder = file.parent_path();
+  const fs::path log = folder / "log";
+  Run("realization -w 2 -i " + file.string() + " -o " + (folder / "types.owx").string(), log);
+  Conclusions found;
+  const std::string said = ReadFile(log);
+  if (said.find("inconsistent") != std::string::npos) found.is_consistent = false;
+  for (std::size_t at = 0; (at = said.find("{error}", at)) != std::string::npos; ++at) {
+    std::cerr << "  Konclude: " << said.substr(at, said.find('\n', at) - at) << '\n';
+  }
+  ForEachNamed(folder / "types.owx", kType, [&](const std::string& x, const std::string& c) {
+    found.facts.insert(x + ' ' + kType + ' ' + c);
+  });
+  std::string queries;
+  for (const std::string& property : properties) {
+    queries += "SELECT ?x ?y WHERE { ?x <" + property + "> ?y . }\n";
+  }
+  WriteFileAtomically(folder / "queries", queries);
+  Run("sparqlfile -w 2 -i " + file.string() + " -s " + (folder / "queries").string() + " -o " +
+          (folder / "answers").string(),
+      log);
+  ReadAnswers(ReadFile(folder / "answers"), properties, found.facts);
+  return found;
+}
+
+// ---- Both ---------------------------------------------------------------------------------------
+
+// What holds of everything, and what only declares.
+void DropTrivial(Facts& facts) {
+  std::erase_if(facts, [](const std::string& fact) {
+    const std::string object = fact.substr(fact.rfind(' ') + 1);
+    return object.starts_with(rdf::kOwl) || object.starts_with(rdf::kRdfs) ||
+           object.starts_with(rdf::kRdf);
+  });
+}
+
+std::vector<std::string> Less(const Facts& all, const Facts& some) {
+  std::vector<std::string> rest;
+  std::set_difference(all.begin(), all.end(), some.begin(), some.end(), std::back_inserter(rest));
+  return rest;
+}
+
+void Tell(const char* what, const std::vector<std::string>& lines) {
+  if (lines.empty()) return;
+  std::cerr << what << " (" << lines.size() << ")\n";
+  for (const std::string& line : lines) std::cerr << "  " << line << '\n';
+}
+
+// "s p o" for an axiom that is one triple of names and literals; else "".
+std::string FactOf(const rdf::Document& document, const rdf::OwlNode& axiom) {
+  const auto& a = axiom.arguments;
+  if (a.size() < 2 || std::any_of(a.begin(), a.end(), [](const rdf::OwlNode& node) {
+        return node.kind == rdf::OwlNode::Kind::kConstruct;
+      })) {
+    return "";
+  }
+  const auto text = [&](std::size_t i) { return document.terms[a[i].term].value; };
+  switch (axiom.construct) {
+    case rdf::Construct::kDataPropertyAssertion:
+    case rdf::Construct::kObjectPropertyAssertion:
+      return text(1) + ' ' + text(0) + ' ' + text(2);
+    case rdf::Construct::kDataPropertyRange:
+      return text(0) + ' ' + std::string(rdf::kRdfs) + "range " + text(1);
+    case rdf::Construct::kDisjointClasses:
+      return text(0) + ' ' + std::string(rdf::kOwl) + "disjointWith " + text(1);
+    default:
+      return "";
+  }
+}
+
+// Leaves out the assertions, data ranges and disjointnesses that contradictions rest on, until
+// there are none (a class that can have no member is one, as each has a member here). From what is
+// inconsistent everything follows, which is nothing to compare.
+void LeaveOutContradictions(const rdf::Document& document, const fs::path& file,
+                            std::vector<rdf::OwlNode>& axioms) {
+  std::vector<std::string> left_out;
+  for (bool again = true; again;) {
+    WriteFileAtomically(file, WithProbes(document, axioms).owl_xml);
+    const Facts contradicting = ByLares(file, {}).contradicting;
+    const std::size_t before = axioms.size();
+    std::erase_if(axioms, [&](const rdf::OwlNode& axiom) {
+      const std::string fact = FactOf(document, axiom);
+      if (!contradicting.contains(fact)) return false;
+      left_out.push_back(fact);
+      return true;
+    });
+    again = axioms.size() < before;
+  }
+  Tell("left out, being part of a contradiction", left_out);
+}
+
+// What Konclude answers now and then lacks something or has too much, with two workers (with one it
+// hangs). Where it and Lares differ it is asked twice more: missing is what it says each time,
+// wrong what it never says.
+struct Difference {
+  std::vector<std::string> missing, wrong;
+  std::size_t count = 0;  // Konclude's conclusions
+  bool is_consistent = true;
+  double seconds = 0;  // of the first answer
+};
+
+Difference Differ(const Conclusions& ours, const std::function<Conclusions()>& ask) {
+  Difference difference;
+  for (int i = 0; i < 3; ++i) {
+    Conclusions theirs;
+    const double seconds = SecondsOf([&] { theirs = ask(); });
+    DropTrivial(theirs.facts);
+    auto missing = Less(theirs.facts, ours.facts);
+    auto wrong = Less(ours.facts, theirs.facts);
+    if (i == 0) {
+      difference = {std::move(missing), std::move(wrong), theirs.facts.size(), theirs.is_consistent,
+                    seconds};
+    } else {
+      std::erase_if(difference.missing,
+                    [&](const auto& fact) { return !theirs.facts.contains(fact); });
+      std::erase_if(difference.wrong,
+                    [&](const auto& fact) { return theirs.facts.contains(fact); });
+    }
+    if (difference.missing.empty() && difference.wrong.empty()) break;
+  }
+  return difference;
+}
+
+double Count(const std::vector<std::string>& list) { return static_cast<double>(list.size()); }
+
+void CompareRl(const std::string& name, const rdf::Document& document, const fs::path& file,
+               std::vector<rdf::OwlNode> axioms) {
+  LeaveOutContradictions(document, file, axioms);
+  const Probed probed = WithProbes(document, axioms);
+  WriteFileAtomically(file, probed.owl_xml);
+  Conclusions ours;
+  const double seconds = SecondsOf([&] { ours = ByLares(file, probed.properties); });
+  DropTrivial(ours.facts);
+  const Difference difference = Differ(ours, [&] { return ByKonclude(file, probed.properties); });
+  Tell("missing", difference.missing);
+  Tell("wrong", difference.wrong);
+  Note(name + ", OWL 2 RL part: Konclude concludes", "facts",
+       static_cast<double>(difference.count));
+  Row("  … missing in Lares", "<=", 0, "facts", Count(difference.missing));
+  Row("  … of Lares that Konclude does not have", "<=", 0, "facts", Count(difference.wrong));
+  Row("  … both find it consistent", ">=", 1, "yes",
+      ours.is_consistent && difference.is_consistent ? 1 : 0);
+  Note("  … Konclude's time for that of Lares, files read and written", "times",
+       difference.seconds / seconds);
+}
+
+void CompareDl(const std::string& name, const rdf::Document& document, const fs::path& file,
+               std::vector<rdf::OwlNode> axioms) {
+  LeaveOutContradictions(document, file, axioms);
+  const Probed probed = WithProbes(document, axioms);
+  WriteFileAtomically(file, probed.owl_xml);
+  Conclusions ours;
+  for (const std::string& fact : ByLares(file, {}).facts) {
+    const std::size_t space = fact.find(' ');
+    const auto found = probed.class_of_member.find(fact.substr(0, space));
+    const std::string object = fact.substr(fact.rfind(' ') + 1);
+    if (found == probed.class_of_member.end() || found->second == object) continue;
+    ours.facts.insert(found->second + ' ' + kSubClassOf + ' ' + object);
+  }
+  DropTrivial(ours.facts);
+  WriteFileAtomically(file, ToOwlXml(document, std::move(axioms)));
+  const Difference difference = Differ(ours, [&] { return ClassesByKonclude(file); });
+  Tell("wrong", difference.wrong);
+  Note(name + ", OWL 2 DL part: subclasses by Konclude", "pairs",
+       static_cast<double>(difference.count));
+  Note("  … beyond OWL 2 RL, which Lares leaves", "pairs", Count(difference.missing));
+  Row("  … of Lares that Konclude does not have", "<=", 0, "facts", Count(difference.wrong));
+}
+
+void Compare(const std::string& name, const fs::path& folder,
+             const std::vector<std::string>& files) {
+  const rdf::Document document = ReadAll(files);
+  const rdf::AxiomsOfDocument read = rdf::AxiomsOf(document);
+  const OwlParts parts = PartsOf(document, read.ontology.axioms);
+  std::cerr << name << ": " << read.ontology.axioms.size() << " axioms, " << parts.dl.size()
+            << " logical and valid OWL 2 DL, " << parts.rl.size() << " of them OWL 2 RL; "
+            << read.left_out.size() << " triples are part of no axiom\n";
+  Tell("punned: '!' is no OWL 2 DL, and its axioms are left out", parts.punned);
+  Tell("left out, being no OWL 2 DL", parts.not_dl);
+  CompareRl(name, document, folder / "rl.owx", parts.rl);
+  CompareDl(name, document, folder / "dl.owx", parts.dl);
+}
+
+}  // namespace
+}  // namespace lares::bench
+
+int main(int argc, char** argv) {
+  if (argc < 3) {
+    std::cerr << "konclude_bench NAME FILE...\n";
+    return 2;
+  }
+  try {
+    const lares::bench::TemporaryFolder folder;
+    lares::bench::Compare(argv[1], folder.path(), {argv + 2, argv + argc});
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << "konclude_bench: " << error.what() << '\n';
+    return 2;
+  }
+}
