@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "ontology/rdf/literal_value.h"
 #include "reasoner/owl/derivations.h"
 #include "reasoner/owl/flat_map.h"
 #include "reasoner/owl/on_demand.h"
@@ -96,22 +97,25 @@ class Prover::Search {
       table_of_[rule.name] = rule.table;
     }
     transitive_property_ = view_.dictionary().InternIri(Expand("owl:TransitiveProperty"));
+    different_from_ = view_.dictionary().InternIri(Expand("owl:differentFrom"));
   }
 
   std::optional<Proof> Why(const rdf::Triple& triple, const ProofOptions& options) {
     Start(options);
-    Proof proof;
+    std::optional<Reason> reason;
     if (!view_.Contains(triple)) {
-      const auto reason = Holds(view_, triple);
+      reason = HoldsByItself(view_, triple);
+      if (reason) return OneStep(triple, *reason);
+      reason = Holds(view_, triple);
       if (!reason) return std::nullopt;
-      proof.cost = 1;
-      proof.nodes.push_back({triple, std::string(reason->rule), TableOf(reason->rule), {}, {}});
-      return proof;
+      if (!with_computed_) throw NoRule();
     }
     const Goal goal = GoalFor(triple, 0);
     if (Lower(goal) > 0 && !Solve(goal, kUnprovable - 1)) {
-      throw Error(Code::kInternal, "no rule concludes it, but it is there");
+      if (!reason || reason->rule.empty()) throw NoRule();
+      return OneStep(triple, *reason);  // as far as can be told
     }
+    Proof proof;
     Write(goal, &proof);
     proof.cost = Lower(goal);
     return proof;
@@ -142,6 +146,27 @@ class Prover::Search {
     depth_ = 0;
   }
 
+  static Error NoRule() {
+    return Error(Code::kInternal, "no rule concludes it, but it is there");
+  }
+
+  Proof OneStep(const rdf::Triple& triple, const Reason& reason) const {
+    return {{{triple, std::string(reason.rule), TableOf(reason.rule), {}, {}}}, 1};
+  }
+
+  // Whether it follows; for premises of the search that computes.
+  bool IsTrue(const rdf::Triple& triple) const {
+    return derivations_.known().Contains(triple) ||
+           (with_computed_ && (IsRefused(triple) || Holds(view_, triple).has_value()));
+  }
+
+  // An equality of two values that the engine concluded and did not believe.
+  bool IsRefused(const rdf::Triple& triple) const {
+    const auto [s, p, o] = triple;
+    return p == derivations_.words().same_as &&
+           refused_.contains({view_.dictionary().SameValue(s), view_.dictionary().SameValue(o)});
+  }
+
   void Work() {
     if (++work_ > options_.max_work) {
       throw Error(Code::kTooLarge,
@@ -164,6 +189,10 @@ class Prover::Search {
       }
     }
     if (listed.empty()) return {};
+    std::vector<rdf::Clash> of_values;
+    if (with_computed_) {
+      for (const rdf::Clash& clash : listed) AddClashesOfValues(clash, &of_values);
+    }
     Derivations::Options options;
     options.stop = options_.stop;
     options.wanted = [&](const Rule& rule) { return rules.contains(rule.name); };
@@ -175,7 +204,38 @@ class Prover::Search {
       found.push_back({step.rule.name, {step.premises.begin(), step.premises.end()}});
       return found.size() < kMaxClashes;
     });
+    if (found.empty() && !with_computed_) throw NoRule();
+    found.insert(found.end(), of_values.begin(), of_values.end());
     return found.empty() ? listed : found;
+  }
+
+  // What table 8 says of literals is no row of the rules: eq-diff1 by dt-diff, and dt-not-type.
+  void AddClashesOfValues(const rdf::Clash& clash, std::vector<rdf::Clash>* found) {
+    const rdf::Dictionary& dictionary = view_.dictionary();
+    const Vocabulary& words = derivations_.words();
+    for (const auto& [s, p, o] : clash.premises) {
+      if (clash.rule == "eq-diff1" && clash.premises.size() == 1 && p == words.same_as) {
+        refused_.insert({dictionary.SameValue(s), dictionary.SameValue(o)});
+        refused_.insert({dictionary.SameValue(o), dictionary.SameValue(s)});
+        found->push_back({clash.rule, {{s, p, o}, {s, different_from_, o}}});
+      }
+      if (clash.rule != "dt-not-type" || p != words.type) continue;
+      for (const rdf::TermId datatype : NamesOf(o)) {
+        if (!rdf::IsSupportedDatatype(dictionary.Get(datatype).value)) continue;
+        for (const rdf::TermId literal : NamesOf(s)) {
+          if (dictionary.Kind(literal) != rdf::TermKind::kLiteral) continue;
+          if (!IsOutsideDatatype(dictionary.Get(literal), dictionary.Get(datatype).value)) continue;
+          found->push_back({clash.rule, {{literal, p, datatype}}});
+        }
+      }
+    }
+  }
+
+  std::vector<rdf::TermId> NamesOf(rdf::TermId term) const {
+    if (view_.equality() == nullptr) return {term};
+    const auto members = view_.equality()->Members(view_.equality()->Representative(term));
+    if (members.empty()) return {term};
+    return {members.begin(), members.end()};
   }
 
   // ---- What is transitive -----------------------------------------------------------------------
@@ -226,7 +286,12 @@ class Prover::Search {
   void EdgesAt(rdf::TermId p, rdf::TermId node,
                const std::function<void(const ProofPaths::Edge&)>& add) {
     AddEdges(p, node, false, add);
-    if (p == derivations_.words().same_as) AddEdges(p, node, true, add);
+    if (p != derivations_.words().same_as) return;
+    AddEdges(p, node, true, add);
+    if (!with_computed_) return;
+    for (const rdf::TermId twin : view_.dictionary().ValueTwins(node)) {
+      if (twin != node) add({{twin, p, node}, false});  // dt-eq
+    }
   }
 
   void AddEdges(rdf::TermId p, rdf::TermId node, bool backwards,
@@ -248,7 +313,7 @@ class Prover::Search {
     std::sort(derived.begin(), derived.end());
     derived.erase(std::unique(derived.begin(), derived.end()), derived.end());
     for (const rdf::Triple& triple : derived) {
-      if (view_.Contains(triple)) add({triple, backwards});
+      if (IsTrue(triple)) add({triple, backwards});
     }
   }
 
@@ -280,10 +345,13 @@ class Prover::Search {
     Known& known = found->second;
     if (view_.IsAsserted(goal.triple)) {
       known.cost = {0, true};
-    } else if (with_computed_ && !view_.Contains(goal.triple)) {
-      const auto reason = Holds(view_, goal.triple);
-      known.cost = reason ? ProofCost{1, true} : ProofCost{kUnprovable, false};
-      if (reason) known.computed = reason->rule;
+    } else if (with_computed_) {
+      if (const auto reason = HoldsByItself(view_, goal.triple)) {
+        known.cost = {1, true};
+        known.computed = reason->rule;
+      } else if (!IsTrue(goal.triple)) {
+        known.cost = {kUnprovable, false};
+      }
     }
     return known;
   }
@@ -497,7 +565,8 @@ class Prover::Search {
   Derivations derivations_;
   const rdf::View& view_;
   bool with_computed_;
-  rdf::TermId transitive_property_{};
+  rdf::TermId transitive_property_{}, different_from_{};
+  std::set<std::pair<rdf::TermId, rdf::TermId>> refused_;  // by value
   std::unordered_map<rdf::TermId, bool> is_path_;
   std::vector<Tactic> tactics_;  // by number of the rule
   std::map<std::string, int, std::less<>> table_of_;
