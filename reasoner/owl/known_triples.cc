@@ -93,9 +93,8 @@ bool KnownTriples::ForEachAboutLiterals(const Pattern& pattern, const Visitor& v
   if (pattern.subject != kAnyTerm && !IsLiteral(pattern.subject)) return true;
   if (view_.equality() == nullptr) {
     if (!view_.has_literal_subjects()) return true;
-    return view_.ForEachStored(pattern, [&](const Triple& triple) {
-      return !IsLiteral(triple.subject) || visit(triple);
-    });
+    return view_.ForEachStored(
+        pattern, [&](const Triple& triple) { return !IsLiteral(triple.subject) || visit(triple); });
   }
   if (!ForEachSame(pattern, visit)) return false;
   const auto fitting = [&](TermId wanted, TermId stored) {

@@ -37,7 +37,6 @@ class Question {
         return !IsLiteral(s) && rdf::IsSupportedDatatype(name) ? std::optional(Reason{"dt-type1"})
                                                                : std::nullopt;
       }
-      if (o == words_.thing) return Reason{"scm-cls"};
       const auto value = IsLiteral(s) ? rdf::ValueOf(dictionary_.Get(s)) : std::nullopt;
       const bool is_in = value && rdf::IsInDatatype(*value, dictionary_.Get(o).value);
       return is_in ? std::optional(Reason{"dt-type2"}) : std::nullopt;
@@ -45,8 +44,8 @@ class Question {
     if (p == words_.same_as && s == o) return Reason{"eq-ref"};
     if (IsLiteral(s) != IsLiteral(o)) return std::nullopt;
     if (!IsLiteral(s)) {
-      const bool is_trivial = s == o || (p == words_.sub_class_of &&
-                                         (o == words_.thing || s == words_.nothing));
+      const bool is_trivial =
+          s == o || (p == words_.sub_class_of && (o == words_.thing || s == words_.nothing));
       const auto* rule = is_trivial ? TrivialRule(triple) : nullptr;
       return rule == nullptr ? std::nullopt : std::optional(Reason{rule});
     }

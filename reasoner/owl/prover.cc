@@ -14,13 +14,15 @@
 #include "reasoner/owl/flat_map.h"
 #include "reasoner/owl/on_demand.h"
 #include "reasoner/owl/proof_paths.h"
+#include "reasoner/owl/values.h"
 
 namespace lares::owl {
 namespace {
 
 constexpr std::size_t kWorkOfFirstSearch = 1'000'000;
-constexpr std::size_t kMaxClashes = 64;  // looked at for a proof of one
-constexpr unsigned kMaxDepth = 400;      // of proofs within proofs; paths do not count
+constexpr std::size_t kWorkWhereLiteralsMatter = 50'000;  // of the first search
+constexpr std::size_t kMaxClashes = 64;                   // looked at for a proof of one
+constexpr unsigned kMaxDepth = 400;  // of proofs within proofs; paths do not count
 
 // Two steps of the same kind in a row can be made one without another cost (x a b, b ⊑ c, c ⊑ d:
 // first join the axioms, or first the individual). So what the second rests on need not be looked
@@ -74,9 +76,19 @@ struct GoalHash {
 struct Known {
   ProofCost cost;
   const Rule* rule = nullptr;  // of the cheapest proof, when it is known and has one
-  std::vector<rdf::Triple> premises;
+  std::vector<Goal> premises;
   std::string_view computed;  // the rule by which it holds without being stored
 };
+
+bool LiteralsMatter(const rdf::View& view) {
+  if (DependsOnValues(view)) return true;
+  if (view.equality() == nullptr) return false;
+  return !view.equality()->ForEachClass([&](std::span<const rdf::TermId> members) {
+    return std::none_of(members.begin(), members.end(), [&](rdf::TermId term) {
+      return view.dictionary().Kind(term) == rdf::TermKind::kLiteral;
+    });
+  });
+}
 
 }  // namespace
 
@@ -108,6 +120,8 @@ class Prover::Search {
       if (reason) return OneStep(triple, *reason);
       reason = Holds(view_, triple);
       if (!reason) return std::nullopt;
+      const bool is_thing = triple.object == derivations_.words().thing;
+      if (is_thing && reason->rule == "scm-cls") return OneStep(triple, *reason);
       if (!with_computed_) throw NoRule();
     }
     const Goal goal = GoalFor(triple, 0);
@@ -115,10 +129,7 @@ class Prover::Search {
       if (!reason || reason->rule.empty()) throw NoRule();
       return OneStep(triple, *reason);  // as far as can be told
     }
-    Proof proof;
-    Write(goal, &proof);
-    proof.cost = Lower(goal);
-    return proof;
+    return Write(goal);
   }
 
   std::optional<Proof> WhyContradiction(const ProofOptions& options) {
@@ -142,13 +153,12 @@ class Prover::Search {
  private:
   void Start(const ProofOptions& options) {
     options_ = options;
+    if (path_properties_.empty()) FindPathProperties();
     work_ = 0;
     depth_ = 0;
   }
 
-  static Error NoRule() {
-    return Error(Code::kInternal, "no rule concludes it, but it is there");
-  }
+  static Error NoRule() { return Error(Code::kInternal, "no rule concludes it, but it is there"); }
 
   Proof OneStep(const rdf::Triple& triple, const Reason& reason) const {
     return {{{triple, std::string(reason.rule), TableOf(reason.rule), {}, {}}}, 1};
@@ -240,17 +250,31 @@ class Prover::Search {
 
   // ---- What is transitive -----------------------------------------------------------------------
 
-  bool IsPath(rdf::TermId p) {
-    const auto known = is_path_.find(p);
-    if (known != is_path_.end()) return known->second;
-    bool& is_path = is_path_[p];  // not while it is being looked into
+  bool IsPath(rdf::TermId p) const { return path_properties_.contains(p); }
+
+  // Before the first question: what a step along a property costs has to be known by the time that
+  // there are paths of it. Until then its steps are like those of any other rule.
+  void FindPathProperties() {
     const Vocabulary& words = derivations_.words();
-    if (p == words.same_as || p == words.sub_class_of || p == words.sub_property_of) {
-      is_path = true;
-    } else if (view_.Contains({p, words.type, transitive_property_})) {
-      is_path = Solve({{p, words.type, transitive_property_}, 0}, kMaxDepth);
+    path_properties_ = {words.same_as, words.sub_class_of, words.sub_property_of};
+    std::vector<rdf::TermId> inferred;
+    for (const rdf::TermId p : view_.Subjects(words.type, transitive_property_)) {
+      if (view_.IsAsserted({p, words.type, transitive_property_})) {
+        path_properties_.insert(p);
+      } else {
+        inferred.push_back(p);
+      }
     }
-    return is_path;
+    std::sort(inferred.begin(), inferred.end());
+    for (const rdf::TermId p : inferred) {
+      try {
+        work_ = depth_ = 0;
+        if (Solve({{p, words.type, transitive_property_}, 0}, kMaxDepth))
+          path_properties_.insert(p);
+      } catch (const Error& error) {
+        if (error.code() != Code::kTooLarge) throw;  // it can do without paths
+      }
+    }
   }
 
   // Rules about paths know better than the others what not to look at twice.
@@ -413,28 +437,35 @@ class Prover::Search {
     const auto [s, p, o] = goal.triple;
     derivations_.ForEach({s, p, o}, OptionsFor(p, goal.avoids, usable), [&](const Step& step) {
       unsigned cost = 0;
-      if (!SolveAll(PremisesOf(step.rule, step.premises), bound - 1, &cost)) {
+      std::vector<Goal> premises = PremisesOf(step.rule, step.premises);
+      if (!SolveAll(EachOnce(premises), bound - 1, &cost)) {
         next = std::min(next, std::max(cost, bound) + 1);
         return true;
       }
       known.cost = {1 + cost, true};
       known.rule = &step.rule;
-      known.premises.assign(step.premises.begin(), step.premises.end());
+      known.premises = std::move(premises);
       return false;
     });
     if (!known.cost.is_exact) known.cost.lower = std::max(bound + 1, next);
   }
 
-  // As goals, each once.
   std::vector<Goal> PremisesOf(const Rule& rule, std::span<const rdf::Triple> premises) {
     std::vector<Goal> goals;
     for (std::size_t i = 0; i < premises.size(); ++i) {
       const bool is_last = i + 1 == premises.size();
-      const Goal goal = GoalFor(premises[i], is_last ? tactics_[rule.number].last_avoids : 0);
-      const auto same = [&](const Goal& other) { return other.triple == goal.triple; };
-      if (std::none_of(goals.begin(), goals.end(), same)) goals.push_back(goal);
+      goals.push_back(GoalFor(premises[i], is_last ? tactics_[rule.number].last_avoids : 0));
     }
     return goals;
+  }
+
+  static std::vector<Goal> EachOnce(const std::vector<Goal>& goals) {
+    std::vector<Goal> once;
+    for (const Goal& goal : goals) {
+      const auto same = [&](const Goal& other) { return other.triple == goal.triple; };
+      if (std::none_of(once.begin(), once.end(), same)) once.push_back(goal);
+    }
+    return once;
   }
 
   // Whether all can be proved for `budget` together; `cost` is the cost, or a lower bound.
@@ -460,9 +491,32 @@ class Prover::Search {
     std::unordered_map<Goal, std::size_t, GoalHash> index;  // by triple alone
   };
 
-  void Write(const Goal& goal, Proof* proof) {
-    Writer writer{proof, {}};
+  Proof Write(const Goal& goal) {
+    Proof proof;
+    proof.cost = Lower(goal);
+    Writer writer{&proof, {}};
     WriteGoal(goal, writer);
+    return WithoutSpare(std::move(proof));
+  }
+
+  // A path may have been written in part before it turns out that the rest is there already.
+  static Proof WithoutSpare(Proof proof) {
+    std::vector<bool> serves(proof.nodes.size(), false);
+    serves.back() = true;
+    for (std::size_t i = proof.nodes.size(); i-- > 0;) {
+      if (!serves[i]) continue;
+      for (const std::size_t premise : proof.nodes[i].premises) serves[premise] = true;
+    }
+    std::vector<std::size_t> place(proof.nodes.size());
+    std::vector<ProofNode> kept;
+    for (std::size_t i = 0; i < proof.nodes.size(); ++i) {
+      if (!serves[i]) continue;
+      place[i] = kept.size();
+      for (std::size_t& premise : proof.nodes[i].premises) premise = place[premise];
+      kept.push_back(std::move(proof.nodes[i]));
+    }
+    proof.nodes = std::move(kept);
+    return proof;
   }
 
   std::size_t Add(ProofNode node, Writer& writer) {
@@ -485,13 +539,7 @@ class Prover::Search {
     }
     if (known.rule == nullptr) return WritePath(goal, writer);
     ProofNode node{goal.triple, known.rule->name, known.rule->table, {}, {}};
-    const Rule& rule = *known.rule;
-    for (std::size_t i = 0; i < known.premises.size(); ++i) {
-      const bool is_last = i + 1 == known.premises.size();
-      const Goal premise =
-          GoalFor(known.premises[i], is_last ? tactics_[rule.number].last_avoids : 0);
-      node.premises.push_back(WriteGoal(premise, writer));
-    }
+    for (const Goal& premise : known.premises) node.premises.push_back(WriteGoal(premise, writer));
     return Add(std::move(node), writer);
   }
 
@@ -550,7 +598,7 @@ class Prover::Search {
       node.premises.push_back(WriteGoal(GoalFor(premise, 0), writer));
     }
     proof.nodes.push_back(std::move(node));
-    return proof;
+    return WithoutSpare(std::move(proof));
   }
 
   int TableOf(std::string_view rule) const {
@@ -567,8 +615,8 @@ class Prover::Search {
   bool with_computed_;
   rdf::TermId transitive_property_{}, different_from_{};
   std::set<std::pair<rdf::TermId, rdf::TermId>> refused_;  // by value
-  std::unordered_map<rdf::TermId, bool> is_path_;
-  std::vector<Tactic> tactics_;  // by number of the rule
+  std::set<rdf::TermId> path_properties_;                  // empty before the first question
+  std::vector<Tactic> tactics_;                            // by number of the rule
   std::map<std::string, int, std::less<>> table_of_;
   std::unordered_map<Goal, Known, GoalHash> known_;
   std::unordered_map<std::uint64_t, std::unique_ptr<ProofPaths>> paths_;
@@ -579,14 +627,16 @@ class Prover::Search {
 };
 
 Prover::Prover(rdf::View view)
-    : view_(std::move(view)), plain_(std::make_unique<Search>(view_, false)) {}
+    : view_(std::move(view)),
+      work_of_first_search_(LiteralsMatter(view_) ? kWorkWhereLiteralsMatter : kWorkOfFirstSearch),
+      plain_(std::make_unique<Search>(view_, false)) {}
 Prover::~Prover() = default;
 
 template <typename Ask>
 std::optional<Proof> Prover::Try(const ProofOptions& options, const Ask& ask) {
   try {
     ProofOptions first = options;
-    first.max_work = std::min(first.max_work, kWorkOfFirstSearch);
+    first.max_work = std::min(first.max_work, work_of_first_search_);
     return ask(*plain_, first);
   } catch (const Error& error) {
     if (error.code() != Code::kTooLarge && error.code() != Code::kInternal) throw;

@@ -111,7 +111,9 @@ bool IsOneOf(const LiteralValue& value, std::string_view datatype) {
 
 bool IsKnownDatatype(std::string_view datatype) {
   const std::string_view name = XsdName(datatype);
-  return name == "decimal" || Integers().contains(name) || Strings().contains(name);
+  return name == "decimal" || Integers().contains(name) || Strings().contains(name) ||
+         datatype == std::string(rdf::kRdfs) + "Literal" ||
+         datatype == std::string(rdf::kRdf) + "PlainLiteral";
 }
 
 }  // namespace lares::testing
