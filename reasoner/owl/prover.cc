@@ -21,8 +21,9 @@ namespace {
 
 constexpr std::size_t kWorkOfFirstSearch = 1'000'000;
 constexpr std::size_t kWorkWhereLiteralsMatter = 50'000;  // of the first search
-constexpr std::size_t kMaxClashes = 64;                   // looked at for a proof of one
-constexpr unsigned kMaxDepth = 400;  // of proofs within proofs; paths do not count
+constexpr unsigned kRepeated = kUnprovable + 1;
+constexpr std::size_t kMaxClashes = 64;  // looked at for a proof of one
+constexpr unsigned kMaxDepth = 400;      // of proofs within proofs; paths do not count
 
 // Two steps of the same kind in a row can be made one without another cost (x a b, b ⊑ c, c ⊑ d:
 // first join the axioms, or first the individual). So what the second rests on need not be looked
@@ -438,7 +439,7 @@ class Prover::Search {
     derivations_.ForEach({s, p, o}, OptionsFor(p, goal.avoids, usable), [&](const Step& step) {
       unsigned cost = 0;
       std::vector<Goal> premises = PremisesOf(step.rule, step.premises);
-      if (!SolveAll(EachOnce(premises), bound - 1, &cost)) {
+      if (!SolveAll(premises, bound - 1, &cost)) {
         next = std::min(next, std::max(cost, bound) + 1);
         return true;
       }
@@ -459,24 +460,18 @@ class Prover::Search {
     return goals;
   }
 
-  static std::vector<Goal> EachOnce(const std::vector<Goal>& goals) {
-    std::vector<Goal> once;
-    for (const Goal& goal : goals) {
-      const auto same = [&](const Goal& other) { return other.triple == goal.triple; };
-      if (std::none_of(once.begin(), once.end(), same)) once.push_back(goal);
-    }
-    return once;
-  }
-
-  // Whether all can be proved for `budget` together; `cost` is the cost, or a lower bound.
+  // Whether all can be proved for `budget` together, each triple once; `cost` is the cost, or a
+  // lower bound.
   bool SolveAll(const std::vector<Goal>& goals, unsigned budget, unsigned* cost) {
     std::vector<unsigned> lower;
     unsigned sum = 0;
-    for (const Goal& goal : goals) {
-      lower.push_back(Lower(goal));
-      sum = std::min(kUnprovable, sum + lower.back());
+    for (auto goal = goals.begin(); goal != goals.end(); ++goal) {
+      const auto same = [&](const Goal& other) { return other.triple == goal->triple; };
+      lower.push_back(std::any_of(goals.begin(), goal, same) ? kRepeated : Lower(*goal));
+      if (lower.back() != kRepeated) sum = std::min(kUnprovable, sum + lower.back());
     }
     for (std::size_t i = 0; i < goals.size() && sum <= budget; ++i) {
+      if (lower[i] == kRepeated) continue;
       Solve(goals[i], budget - (sum - lower[i]));
       sum = std::min(kUnprovable, sum - lower[i] + Lower(goals[i]));
     }
@@ -627,19 +622,22 @@ class Prover::Search {
 };
 
 Prover::Prover(rdf::View view)
-    : view_(std::move(view)),
-      work_of_first_search_(LiteralsMatter(view_) ? kWorkWhereLiteralsMatter : kWorkOfFirstSearch),
-      plain_(std::make_unique<Search>(view_, false)) {}
+    : view_(std::move(view)), plain_(std::make_unique<Search>(view_, false)) {}
 Prover::~Prover() = default;
 
+// What a search has worked out it knows when it is asked again.
 template <typename Ask>
 std::optional<Proof> Prover::Try(const ProofOptions& options, const Ask& ask) {
-  try {
+  for (const std::size_t work : {kWorkWhereLiteralsMatter, kWorkOfFirstSearch}) {
     ProofOptions first = options;
-    first.max_work = std::min(first.max_work, work_of_first_search_);
-    return ask(*plain_, first);
-  } catch (const Error& error) {
-    if (error.code() != Code::kTooLarge && error.code() != Code::kInternal) throw;
+    first.max_work = std::min(first.max_work, work);
+    try {
+      return ask(*plain_, first);
+    } catch (const Error& error) {
+      if (error.code() != Code::kTooLarge && error.code() != Code::kInternal) throw;
+      const bool was_stopped_early = error.code() == Code::kTooLarge && first.max_work == work;
+      if (!was_stopped_early || LiteralsMatter(view_)) break;
+    }
   }
   if (!computing_) computing_ = std::make_unique<Search>(view_, true);
   return ask(*computing_, options);

@@ -42,7 +42,6 @@ class Prover {
   std::optional<Proof> Try(const ProofOptions& options, const Ask& ask);
 
   rdf::View view_;
-  std::size_t work_of_first_search_;
   std::unique_ptr<Search> plain_;      // over what is stored
   std::unique_ptr<Search> computing_;  // and over what holds on demand; made when needed
 };
