@@ -82,7 +82,7 @@ bool BodyJoin::Continue() {
 std::size_t BodyJoin::CostOf(const Atom& atom) const {
   const rdf::Pattern pattern = atom.In(binding_);
   if (IsGround(pattern)) return 0;  // yes or no: ask at once
-  const std::size_t cost = view_.Estimate(pattern);
+  const std::size_t cost = known_.Estimate(pattern);
   if (premises_.computed) {  // only what is ground can be computed: leave it for later
     if (cost == 0) return kNever;
     if (pattern.predicate == words_.type || pattern.predicate == words_.same_as) {
@@ -117,8 +117,8 @@ bool BodyJoin::Take(std::size_t position) {
   bool go_on = true;
   if (IsGround(pattern)) {
     const rdf::Triple triple{pattern.subject, pattern.predicate, pattern.object};
-    const bool holds = view_.Contains(triple) ? IsUsable(triple)
-                                              : premises_.computed && premises_.computed(triple);
+    const bool holds = known_.Contains(triple) ? IsUsable(triple)
+                                               : premises_.computed && premises_.computed(triple);
     if (holds && Bind(atom, triple)) go_on = Continue();
   } else {
     const auto variables = [&](const Slot& slot) {
@@ -131,7 +131,7 @@ bool BodyJoin::Take(std::size_t position) {
       if (atom.predicate.is_variable) binding_[atom.predicate.value] = p;
       if (atom.object.is_variable) binding_[atom.object.value] = o;
     };
-    go_on = view_.ForEach(pattern, [&](const rdf::Triple& triple) {
+    go_on = known_.ForEach(pattern, [&](const rdf::Triple& triple) {
       CheckStop();
       const bool more = !IsUsable(triple) || !Bind(atom, triple) || Continue();
       restore();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ontology/triples/view.h"
+#include "reasoner/owl/known_triples.h"
 #include "reasoner/owl/lists.h"
 #include "reasoner/owl/rule.h"
 
@@ -14,21 +15,22 @@ namespace lares::owl {
 
 // Which triples a derivation may rest on.
 struct Premises {
-  // Of the triples that the view holds; all when empty. Cheap: asked for every match.
+  // Of the triples that are known; all when empty. Cheap: asked for every match.
   std::function<bool(const rdf::Triple&)> usable;
-  // Of the triples that it does not hold, which are true nevertheless (computed, not stored): asked
+  // Of the triples that are not, which are true nevertheless (computed, not stored): asked
   // once all three terms are known. None when empty.
   std::function<bool(const rdf::Triple&)> computed;
 };
 
 // Backtracking over the open patterns; at each step the one with the fewest matches
-// (View::Estimate) is taken. One use of it visits all solutions for one rule and one start.
+// (KnownTriples::Estimate) is taken. One use of it visits all solutions for one rule and one start.
 class BodyJoin {
  public:
   // All must outlive it. `binding` holds what is known already, kAnyTerm for the rest.
-  BodyJoin(const rdf::View& view, const Vocabulary& words, const Premises& premises,
+  BodyJoin(const KnownTriples& known, const Vocabulary& words, const Premises& premises,
            const Rule& rule, std::vector<rdf::TermId> binding, std::stop_token stop)
-      : view_(view),
+      : known_(known),
+        view_(known.view()),
         words_(words),
         premises_(premises),
         rule_(rule),
@@ -61,6 +63,7 @@ class BodyJoin {
   }
   void CheckStop();
 
+  const KnownTriples& known_;
   const rdf::View& view_;
   const Vocabulary& words_;
   const Premises& premises_;

@@ -4,6 +4,7 @@
 
 #include "ontology/rdf/literal_value.h"
 #include "reasoner/owl/engine.h"
+#include "reasoner/owl/on_demand.h"
 
 namespace lares::owl {
 
@@ -13,13 +14,8 @@ bool Engine::IsInDatatype(rdf::TermId literal, rdf::TermId datatype) const {
   return value && rdf::IsInDatatype(*value, dictionary_.Get(datatype).value);
 }
 
-// dt-not-type: its value is another, or its text says none. Of literals whose datatype the rules do
-// not know nothing is known.
 bool Engine::IsOutsideDatatype(rdf::TermId literal, rdf::TermId datatype) const {
-  const rdf::TermView view = dictionary_.Get(literal);
-  const auto value = rdf::ValueOf(view);
-  return value ? !rdf::IsInDatatype(*value, dictionary_.Get(datatype).value)
-               : rdf::IsSupportedDatatype(view.datatype);
+  return owl::IsOutsideDatatype(dictionary_.Get(literal), dictionary_.Get(datatype).value);
 }
 
 // Whether an instance asks for nothing but members of datatypes, so that no other triple wakes it.

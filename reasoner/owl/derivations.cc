@@ -53,7 +53,8 @@ Derivations::Derivations(rdf::View view, Holds computed)
     : Derivations(std::move(view), RuleTable(), std::move(computed)) {}
 
 Derivations::Derivations(rdf::View view, std::span<const RuleRow> rows, Holds computed)
-    : view_(std::move(view)),
+    : known_(std::move(view), computed ? Literals::kAsSubjects : Literals::kAsObjects),
+      view_(known_.view()),
       words_(view_.dictionary()),
       rules_(CompileRules(rows, view_.dictionary())),
       all_{{}, std::move(computed)} {}
@@ -65,9 +66,10 @@ void Derivations::AddInstances(const Rule& rule, const Atom& head, rdf::TermId p
   std::vector<rdf::TermId> binding(rule.variables);
   if (!Unify(head, {{}, predicate, object}, binding)) return;
   const std::size_t before = instances->size();
-  bool kept = !rule.schema.empty();
+  // Not every pair of equal literals is there to be kept.
+  bool kept = !rule.schema.empty() && !(rule.is_equality && known_.is_general());
   if (kept) {
-    BodyJoin join(view_, words_, all_, rule, binding, {});
+    BodyJoin join(known_, words_, all_, rule, binding, {});
     kept = join.Run(BodyJoin::Part::kSchema, [&] {
       instances->push_back({&rule, &head, join.binding(), {}, true});
       join.AppendPremises(&instances->back().premises);
@@ -86,7 +88,7 @@ void Derivations::AddListInstances(const Rule& rule, const rdf::Pattern& goal,
   std::vector<rdf::TermId> binding(rule.variables);
   if (!Unify(rule.schema[0].subject, owner, binding)) return;
   const auto objects_of = [this](rdf::TermId s, rdf::TermId p) { return view_.Objects(s, p); };
-  BodyJoin join(view_, words_, all_, rule, std::move(binding), {});
+  BodyJoin join(known_, words_, all_, rule, std::move(binding), {});
   join.Run(BodyJoin::Part::kSchema, [&] {
     const rdf::TermId subject = rule.schema[0].In(join.binding()).subject;
     for (ListReading& reading : ReadLists(join.binding()[rule.list], words_, objects_of)) {
@@ -148,7 +150,7 @@ bool Derivations::ForEachBody(const rdf::Pattern& goal,
     if (instance.schema_is_solved || instance.rule->schema.empty()) {
       go_on = visit({*instance.rule, binding, instance.premises});
     } else {
-      BodyJoin join(view_, words_, all_, *instance.rule, std::move(binding), {});
+      BodyJoin join(known_, words_, all_, *instance.rule, std::move(binding), {});
       go_on = join.Run(BodyJoin::Part::kSchema, [&] {
         std::vector<rdf::Triple> premises;
         join.AppendPremises(&premises);
@@ -182,12 +184,12 @@ bool Derivations::VisitOne(const Instance& instance, const rdf::Pattern& goal,
   const Premises premises{options.usable, all_.computed};
   const auto& usable = options.usable;
   const auto is_usable = [&](const rdf::Triple& triple) {
-    return usable(triple) || (all_.computed && !view_.Contains(triple));
+    return usable(triple) || (all_.computed && !known_.Contains(triple));
   };
   if (usable && !std::all_of(instance.premises.begin(), instance.premises.end(), is_usable)) {
     return true;
   }
-  BodyJoin join(view_, words_, premises, *instance.rule, std::move(binding), options.stop);
+  BodyJoin join(known_, words_, premises, *instance.rule, std::move(binding), options.stop);
   const auto part = instance.schema_is_solved ? BodyJoin::Part::kData : BodyJoin::Part::kBoth;
   return join.Run(part, [&] { return Deliver(instance, join, visit); });
 }

@@ -13,6 +13,7 @@
 
 #include "ontology/triples/view.h"
 #include "reasoner/owl/body_join.h"
+#include "reasoner/owl/known_triples.h"
 #include "reasoner/owl/rule.h"
 
 namespace lares::owl {
@@ -33,6 +34,7 @@ class Derivations {
   using Holds = std::function<bool(const rdf::Triple&)>;
   // Of RuleTable(), or of other rows.
   // `computed` says which triples are true although the view does not hold them; none when empty.
+  // With it, literals may be subjects.
   explicit Derivations(rdf::View view, Holds computed = {});
   Derivations(rdf::View view, std::span<const RuleRow> rows, Holds computed);
   ~Derivations();
@@ -68,6 +70,7 @@ class Derivations {
   // schema come once.
   bool ForEachBody(const rdf::Pattern& goal, const std::function<bool(const Body&)>& visit);
 
+  const KnownTriples& known() const { return known_; }
   const rdf::View& view() const { return view_; }
   const Vocabulary& words() const { return words_; }
   const std::vector<Rule>& rules() const { return rules_; }
@@ -84,7 +87,8 @@ class Derivations {
                 const Visit& visit);
   bool Deliver(const Instance& instance, const BodyJoin& join, const Visit& visit) const;
 
-  rdf::View view_;
+  KnownTriples known_;
+  const rdf::View& view_;  // of known_
   Vocabulary words_;
   std::vector<Rule> rules_;
   Premises all_;

@@ -26,6 +26,38 @@ class Question {
     return std::nullopt;
   }
 
+  std::optional<Reason> AskAlone(const Triple& triple) const {
+    const auto [s, p, o] = triple;
+    if (p == words_.type) {
+      for (const AxiomRow& row : AxiomTable()) {
+        if (Word(row.subject) == s && Word(row.object) == o) return Reason{row.name};
+      }
+      const std::string_view name = dictionary_.Get(s).value;
+      if (o == Word("rdfs:Datatype")) {
+        return !IsLiteral(s) && rdf::IsSupportedDatatype(name) ? std::optional(Reason{"dt-type1"})
+                                                               : std::nullopt;
+      }
+      const auto value = IsLiteral(s) ? rdf::ValueOf(dictionary_.Get(s)) : std::nullopt;
+      const bool is_in = value && rdf::IsInDatatype(*value, dictionary_.Get(o).value);
+      return is_in ? std::optional(Reason{"dt-type2"}) : std::nullopt;
+    }
+    if (p == words_.same_as && s == o) return Reason{"eq-ref"};
+    if (IsLiteral(s) != IsLiteral(o)) return std::nullopt;
+    if (!IsLiteral(s)) {
+      const bool is_trivial =
+          s == o || (p == words_.sub_class_of && (o == words_.thing || s == words_.nothing));
+      const auto* rule = is_trivial ? TrivialRule(triple) : nullptr;
+      return rule == nullptr ? std::nullopt : std::optional(Reason{rule});
+    }
+    if (p == words_.same_as && dictionary_.SameValue(s) == dictionary_.SameValue(o)) {
+      return Reason{"dt-eq"};
+    }
+    if (p != Word("owl:differentFrom")) return std::nullopt;
+    const auto first = rdf::ValueOf(dictionary_.Get(s)), second = rdf::ValueOf(dictionary_.Get(o));
+    const bool differ = first && second && *first != *second;
+    return differ ? std::optional(Reason{"dt-diff"}) : std::nullopt;
+  }
+
  private:
   TermId Word(std::string_view name) const { return dictionary_.InternIri(Expand(name)); }
   bool IsLiteral(TermId term) const { return dictionary_.Kind(term) == rdf::TermKind::kLiteral; }
@@ -132,6 +164,15 @@ class Question {
 
 std::optional<Reason> Holds(const rdf::View& view, const rdf::Triple& triple) {
   return Question(view).Ask(triple);
+}
+
+std::optional<Reason> HoldsByItself(const rdf::View& view, const rdf::Triple& triple) {
+  return Question(view).AskAlone(triple);
+}
+
+bool IsOutsideDatatype(const rdf::TermView& literal, std::string_view datatype) {
+  const auto value = rdf::ValueOf(literal);
+  return value ? !rdf::IsInDatatype(*value, datatype) : rdf::IsSupportedDatatype(literal.datatype);
 }
 
 }  // namespace lares::owl

@@ -19,4 +19,12 @@ struct Reason {
 // contained or trivial. A literal may be its subject. Its terms need not occur in the view.
 std::optional<Reason> Holds(const rdf::View& view, const rdf::Triple& triple);
 
+// The same where no other triple has to hold for it, word by word: "1" a xsd:byte, but not what
+// only is the same as 1. Whether `view` contains it is not asked.
+std::optional<Reason> HoldsByItself(const rdf::View& view, const rdf::Triple& triple);
+
+// dt-not-type: its value is another, or its text says none. Of literals whose datatype the rules do
+// not know nothing is known.
+bool IsOutsideDatatype(const rdf::TermView& literal, std::string_view datatype);
+
 }  // namespace lares::owl

@@ -32,7 +32,8 @@ class TextWriter {
  private:
   // The conclusion is 1, what it rests on follows.
   void Number(std::size_t index) {
-    if (!IsListCell(proof_.nodes[index].triple, view_)) number_[index] = ++count_;
+    const ProofNode& node = proof_.nodes[index];
+    if (!node.is_asserted() || !IsListCell(node.triple, view_)) number_[index] = ++count_;
   }
 
   void Line(std::size_t index, std::size_t depth) {

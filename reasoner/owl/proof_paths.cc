@@ -1,6 +1,7 @@
 #include "reasoner/owl/proof_paths.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 namespace lares::owl {
@@ -31,6 +32,31 @@ void ProofPaths::AddEdgesAt(rdf::TermId node, unsigned cost) {
   });
 }
 
+// Looking at a candidate may be given up (too much work): then it waits again, as if nothing had
+// been looked at. Edges that were added by then come twice, which is of no harm.
+template <typename Look>
+auto ProofPaths::WhileInWork(const Candidate& candidate, const Look& look) {
+  struct Guard {
+    ProofPaths& paths;
+    const Candidate& candidate;
+    bool is_done = false;
+    ~Guard() {
+      paths.in_work_.pop_back();
+      if (!is_done) paths.candidates_.push(candidate);
+    }
+  };
+  in_work_.push_back(candidate.cost);
+  Guard guard{*this, candidate};
+  if constexpr (std::is_void_v<decltype(look())>) {
+    look();
+    guard.is_done = true;
+  } else {
+    auto result = look();
+    guard.is_done = true;
+    return result;
+  }
+}
+
 ProofCost ProofPaths::CostFrom(rdf::TermId source, unsigned bound) {
   // A question asked while an edge is looked at is about less than that edge costs, so what has to
   // be known for it is settled already.
@@ -45,19 +71,18 @@ ProofCost ProofPaths::CostFrom(rdf::TermId source, unsigned bound) {
         Push(best.source, best.link, known);  // more is known than when it was put here
         continue;
       }
-      in_work_.push_back(best.cost);
-      const ProofCost edge = edges_.better_cost(best.link.edge.triple);
-      in_work_.pop_back();
+      const ProofCost edge =
+          WhileInWork(best, [&] { return edges_.better_cost(best.link.edge.triple); });
       Push(best.source, best.link, edge);
       continue;
     }
     Link link = best.link;
     link.cost = best.cost;
+    // Of a circle no way leads on.
+    if (best.source != target_) {
+      WhileInWork(best, [&] { AddEdgesAt(best.source, best.cost); });
+    }
     settled_.emplace(best.source, link);
-    if (best.source == target_) continue;  // a circle: no way leads through it
-    in_work_.push_back(best.cost);
-    AddEdgesAt(best.source, best.cost);
-    in_work_.pop_back();
   }
   const auto found = settled_.find(source);
   if (found != settled_.end()) return {found->second.cost, true};

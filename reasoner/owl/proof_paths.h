@@ -75,6 +75,8 @@ class ProofPaths {
   void AddEdgesAt(rdf::TermId node, unsigned cost);
   void Push(rdf::TermId source, const Link& link, const ProofCost& edge);
   unsigned Frontier() const;
+  template <typename Look>
+  auto WhileInWork(const Candidate& candidate, const Look& look);
 
   rdf::TermId target_;
   unsigned step_;

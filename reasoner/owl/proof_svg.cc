@@ -73,7 +73,7 @@ std::vector<Box> MakeBoxes(const Proof& proof, const rdf::View& view) {
   for (std::size_t i = proof.nodes.size(); i-- > 0;) {
     const ProofNode& node = proof.nodes[i];
     Box& box = boxes[i];
-    box.is_shown = !IsListCell(node.triple, view);
+    box.is_shown = !node.is_asserted() || !IsListCell(node.triple, view);
     box.title = PhraseOf(node.triple, view);
     box.line1 = Shortened(box.title);
     box.line2 = Shortened(SecondLine(node));

@@ -9,15 +9,19 @@
 #include <utility>
 
 #include "base/error.h"
+#include "ontology/rdf/literal_value.h"
 #include "reasoner/owl/derivations.h"
 #include "reasoner/owl/flat_map.h"
 #include "reasoner/owl/on_demand.h"
 #include "reasoner/owl/proof_paths.h"
+#include "reasoner/owl/values.h"
 
 namespace lares::owl {
 namespace {
 
 constexpr std::size_t kWorkOfFirstSearch = 1'000'000;
+constexpr std::size_t kWorkWhereLiteralsMatter = 50'000;  // of the first search
+constexpr unsigned kRepeated = kUnprovable + 1;
 constexpr std::size_t kMaxClashes = 64;  // looked at for a proof of one
 constexpr unsigned kMaxDepth = 400;      // of proofs within proofs; paths do not count
 
@@ -73,9 +77,19 @@ struct GoalHash {
 struct Known {
   ProofCost cost;
   const Rule* rule = nullptr;  // of the cheapest proof, when it is known and has one
-  std::vector<rdf::Triple> premises;
+  std::vector<Goal> premises;
   std::string_view computed;  // the rule by which it holds without being stored
 };
+
+bool LiteralsMatter(const rdf::View& view) {
+  if (DependsOnValues(view)) return true;
+  if (view.equality() == nullptr) return false;
+  return !view.equality()->ForEachClass([&](std::span<const rdf::TermId> members) {
+    return std::none_of(members.begin(), members.end(), [&](rdf::TermId term) {
+      return view.dictionary().Kind(term) == rdf::TermKind::kLiteral;
+    });
+  });
+}
 
 }  // namespace
 
@@ -96,25 +110,27 @@ class Prover::Search {
       table_of_[rule.name] = rule.table;
     }
     transitive_property_ = view_.dictionary().InternIri(Expand("owl:TransitiveProperty"));
+    different_from_ = view_.dictionary().InternIri(Expand("owl:differentFrom"));
   }
 
   std::optional<Proof> Why(const rdf::Triple& triple, const ProofOptions& options) {
     Start(options);
-    Proof proof;
+    std::optional<Reason> reason;
     if (!view_.Contains(triple)) {
-      const auto reason = Holds(view_, triple);
+      reason = HoldsByItself(view_, triple);
+      if (reason) return OneStep(triple, *reason);
+      reason = Holds(view_, triple);
       if (!reason) return std::nullopt;
-      proof.cost = 1;
-      proof.nodes.push_back({triple, std::string(reason->rule), TableOf(reason->rule), {}, {}});
-      return proof;
+      const bool is_thing = triple.object == derivations_.words().thing;
+      if (is_thing && reason->rule == "scm-cls") return OneStep(triple, *reason);
+      if (!with_computed_) throw NoRule();
     }
     const Goal goal = GoalFor(triple, 0);
     if (Lower(goal) > 0 && !Solve(goal, kUnprovable - 1)) {
-      throw Error(Code::kInternal, "no rule concludes it, but it is there");
+      if (!reason || reason->rule.empty()) throw NoRule();
+      return OneStep(triple, *reason);  // as far as can be told
     }
-    Write(goal, &proof);
-    proof.cost = Lower(goal);
-    return proof;
+    return Write(goal);
   }
 
   std::optional<Proof> WhyContradiction(const ProofOptions& options) {
@@ -138,8 +154,28 @@ class Prover::Search {
  private:
   void Start(const ProofOptions& options) {
     options_ = options;
+    if (path_properties_.empty()) FindPathProperties();
     work_ = 0;
     depth_ = 0;
+  }
+
+  static Error NoRule() { return Error(Code::kInternal, "no rule concludes it, but it is there"); }
+
+  Proof OneStep(const rdf::Triple& triple, const Reason& reason) const {
+    return {{{triple, std::string(reason.rule), TableOf(reason.rule), {}, {}}}, 1};
+  }
+
+  // Whether it follows; for premises of the search that computes.
+  bool IsTrue(const rdf::Triple& triple) const {
+    return derivations_.known().Contains(triple) ||
+           (with_computed_ && (IsRefused(triple) || Holds(view_, triple).has_value()));
+  }
+
+  // An equality of two values that the engine concluded and did not believe.
+  bool IsRefused(const rdf::Triple& triple) const {
+    const auto [s, p, o] = triple;
+    return p == derivations_.words().same_as &&
+           refused_.contains({view_.dictionary().SameValue(s), view_.dictionary().SameValue(o)});
   }
 
   void Work() {
@@ -164,6 +200,10 @@ class Prover::Search {
       }
     }
     if (listed.empty()) return {};
+    std::vector<rdf::Clash> of_values;
+    if (with_computed_) {
+      for (const rdf::Clash& clash : listed) AddClashesOfValues(clash, &of_values);
+    }
     Derivations::Options options;
     options.stop = options_.stop;
     options.wanted = [&](const Rule& rule) { return rules.contains(rule.name); };
@@ -175,22 +215,67 @@ class Prover::Search {
       found.push_back({step.rule.name, {step.premises.begin(), step.premises.end()}});
       return found.size() < kMaxClashes;
     });
+    if (found.empty() && !with_computed_) throw NoRule();
+    found.insert(found.end(), of_values.begin(), of_values.end());
     return found.empty() ? listed : found;
+  }
+
+  // What table 8 says of literals is no row of the rules: eq-diff1 by dt-diff, and dt-not-type.
+  void AddClashesOfValues(const rdf::Clash& clash, std::vector<rdf::Clash>* found) {
+    const rdf::Dictionary& dictionary = view_.dictionary();
+    const Vocabulary& words = derivations_.words();
+    for (const auto& [s, p, o] : clash.premises) {
+      if (clash.rule == "eq-diff1" && clash.premises.size() == 1 && p == words.same_as) {
+        refused_.insert({dictionary.SameValue(s), dictionary.SameValue(o)});
+        refused_.insert({dictionary.SameValue(o), dictionary.SameValue(s)});
+        found->push_back({clash.rule, {{s, p, o}, {s, different_from_, o}}});
+      }
+      if (clash.rule != "dt-not-type" || p != words.type) continue;
+      for (const rdf::TermId datatype : NamesOf(o)) {
+        if (!rdf::IsSupportedDatatype(dictionary.Get(datatype).value)) continue;
+        for (const rdf::TermId literal : NamesOf(s)) {
+          if (dictionary.Kind(literal) != rdf::TermKind::kLiteral) continue;
+          if (!IsOutsideDatatype(dictionary.Get(literal), dictionary.Get(datatype).value)) continue;
+          found->push_back({clash.rule, {{literal, p, datatype}}});
+        }
+      }
+    }
+  }
+
+  std::vector<rdf::TermId> NamesOf(rdf::TermId term) const {
+    if (view_.equality() == nullptr) return {term};
+    const auto members = view_.equality()->Members(view_.equality()->Representative(term));
+    if (members.empty()) return {term};
+    return {members.begin(), members.end()};
   }
 
   // ---- What is transitive -----------------------------------------------------------------------
 
-  bool IsPath(rdf::TermId p) {
-    const auto known = is_path_.find(p);
-    if (known != is_path_.end()) return known->second;
-    bool& is_path = is_path_[p];  // not while it is being looked into
+  bool IsPath(rdf::TermId p) const { return path_properties_.contains(p); }
+
+  // Before the first question: what a step along a property costs has to be known by the time that
+  // there are paths of it. Until then its steps are like those of any other rule.
+  void FindPathProperties() {
     const Vocabulary& words = derivations_.words();
-    if (p == words.same_as || p == words.sub_class_of || p == words.sub_property_of) {
-      is_path = true;
-    } else if (view_.Contains({p, words.type, transitive_property_})) {
-      is_path = Solve({{p, words.type, transitive_property_}, 0}, kMaxDepth);
+    path_properties_ = {words.same_as, words.sub_class_of, words.sub_property_of};
+    std::vector<rdf::TermId> inferred;
+    for (const rdf::TermId p : view_.Subjects(words.type, transitive_property_)) {
+      if (view_.IsAsserted({p, words.type, transitive_property_})) {
+        path_properties_.insert(p);
+      } else {
+        inferred.push_back(p);
+      }
     }
-    return is_path;
+    std::sort(inferred.begin(), inferred.end());
+    for (const rdf::TermId p : inferred) {
+      try {
+        work_ = depth_ = 0;
+        if (Solve({{p, words.type, transitive_property_}, 0}, kMaxDepth))
+          path_properties_.insert(p);
+      } catch (const Error& error) {
+        if (error.code() != Code::kTooLarge) throw;  // it can do without paths
+      }
+    }
   }
 
   // Rules about paths know better than the others what not to look at twice.
@@ -226,7 +311,12 @@ class Prover::Search {
   void EdgesAt(rdf::TermId p, rdf::TermId node,
                const std::function<void(const ProofPaths::Edge&)>& add) {
     AddEdges(p, node, false, add);
-    if (p == derivations_.words().same_as) AddEdges(p, node, true, add);
+    if (p != derivations_.words().same_as) return;
+    AddEdges(p, node, true, add);
+    if (!with_computed_) return;
+    for (const rdf::TermId twin : view_.dictionary().ValueTwins(node)) {
+      if (twin != node) add({{twin, p, node}, false});  // dt-eq
+    }
   }
 
   void AddEdges(rdf::TermId p, rdf::TermId node, bool backwards,
@@ -248,7 +338,7 @@ class Prover::Search {
     std::sort(derived.begin(), derived.end());
     derived.erase(std::unique(derived.begin(), derived.end()), derived.end());
     for (const rdf::Triple& triple : derived) {
-      if (view_.Contains(triple)) add({triple, backwards});
+      if (IsTrue(triple)) add({triple, backwards});
     }
   }
 
@@ -280,10 +370,13 @@ class Prover::Search {
     Known& known = found->second;
     if (view_.IsAsserted(goal.triple)) {
       known.cost = {0, true};
-    } else if (with_computed_ && !view_.Contains(goal.triple)) {
-      const auto reason = Holds(view_, goal.triple);
-      known.cost = reason ? ProofCost{1, true} : ProofCost{kUnprovable, false};
-      if (reason) known.computed = reason->rule;
+    } else if (with_computed_) {
+      if (const auto reason = HoldsByItself(view_, goal.triple)) {
+        known.cost = {1, true};
+        known.computed = reason->rule;
+      } else if (!IsTrue(goal.triple)) {
+        known.cost = {kUnprovable, false};
+      }
     }
     return known;
   }
@@ -345,39 +438,40 @@ class Prover::Search {
     const auto [s, p, o] = goal.triple;
     derivations_.ForEach({s, p, o}, OptionsFor(p, goal.avoids, usable), [&](const Step& step) {
       unsigned cost = 0;
-      if (!SolveAll(PremisesOf(step.rule, step.premises), bound - 1, &cost)) {
+      std::vector<Goal> premises = PremisesOf(step.rule, step.premises);
+      if (!SolveAll(premises, bound - 1, &cost)) {
         next = std::min(next, std::max(cost, bound) + 1);
         return true;
       }
       known.cost = {1 + cost, true};
       known.rule = &step.rule;
-      known.premises.assign(step.premises.begin(), step.premises.end());
+      known.premises = std::move(premises);
       return false;
     });
     if (!known.cost.is_exact) known.cost.lower = std::max(bound + 1, next);
   }
 
-  // As goals, each once.
   std::vector<Goal> PremisesOf(const Rule& rule, std::span<const rdf::Triple> premises) {
     std::vector<Goal> goals;
     for (std::size_t i = 0; i < premises.size(); ++i) {
       const bool is_last = i + 1 == premises.size();
-      const Goal goal = GoalFor(premises[i], is_last ? tactics_[rule.number].last_avoids : 0);
-      const auto same = [&](const Goal& other) { return other.triple == goal.triple; };
-      if (std::none_of(goals.begin(), goals.end(), same)) goals.push_back(goal);
+      goals.push_back(GoalFor(premises[i], is_last ? tactics_[rule.number].last_avoids : 0));
     }
     return goals;
   }
 
-  // Whether all can be proved for `budget` together; `cost` is the cost, or a lower bound.
+  // Whether all can be proved for `budget` together, each triple once; `cost` is the cost, or a
+  // lower bound.
   bool SolveAll(const std::vector<Goal>& goals, unsigned budget, unsigned* cost) {
     std::vector<unsigned> lower;
     unsigned sum = 0;
-    for (const Goal& goal : goals) {
-      lower.push_back(Lower(goal));
-      sum = std::min(kUnprovable, sum + lower.back());
+    for (auto goal = goals.begin(); goal != goals.end(); ++goal) {
+      const auto same = [&](const Goal& other) { return other.triple == goal->triple; };
+      lower.push_back(std::any_of(goals.begin(), goal, same) ? kRepeated : Lower(*goal));
+      if (lower.back() != kRepeated) sum = std::min(kUnprovable, sum + lower.back());
     }
     for (std::size_t i = 0; i < goals.size() && sum <= budget; ++i) {
+      if (lower[i] == kRepeated) continue;
       Solve(goals[i], budget - (sum - lower[i]));
       sum = std::min(kUnprovable, sum - lower[i] + Lower(goals[i]));
     }
@@ -392,9 +486,32 @@ class Prover::Search {
     std::unordered_map<Goal, std::size_t, GoalHash> index;  // by triple alone
   };
 
-  void Write(const Goal& goal, Proof* proof) {
-    Writer writer{proof, {}};
+  Proof Write(const Goal& goal) {
+    Proof proof;
+    proof.cost = Lower(goal);
+    Writer writer{&proof, {}};
     WriteGoal(goal, writer);
+    return WithoutSpare(std::move(proof));
+  }
+
+  // A path may have been written in part before it turns out that the rest is there already.
+  static Proof WithoutSpare(Proof proof) {
+    std::vector<bool> serves(proof.nodes.size(), false);
+    serves.back() = true;
+    for (std::size_t i = proof.nodes.size(); i-- > 0;) {
+      if (!serves[i]) continue;
+      for (const std::size_t premise : proof.nodes[i].premises) serves[premise] = true;
+    }
+    std::vector<std::size_t> place(proof.nodes.size());
+    std::vector<ProofNode> kept;
+    for (std::size_t i = 0; i < proof.nodes.size(); ++i) {
+      if (!serves[i]) continue;
+      place[i] = kept.size();
+      for (std::size_t& premise : proof.nodes[i].premises) premise = place[premise];
+      kept.push_back(std::move(proof.nodes[i]));
+    }
+    proof.nodes = std::move(kept);
+    return proof;
   }
 
   std::size_t Add(ProofNode node, Writer& writer) {
@@ -417,13 +534,7 @@ class Prover::Search {
     }
     if (known.rule == nullptr) return WritePath(goal, writer);
     ProofNode node{goal.triple, known.rule->name, known.rule->table, {}, {}};
-    const Rule& rule = *known.rule;
-    for (std::size_t i = 0; i < known.premises.size(); ++i) {
-      const bool is_last = i + 1 == known.premises.size();
-      const Goal premise =
-          GoalFor(known.premises[i], is_last ? tactics_[rule.number].last_avoids : 0);
-      node.premises.push_back(WriteGoal(premise, writer));
-    }
+    for (const Goal& premise : known.premises) node.premises.push_back(WriteGoal(premise, writer));
     return Add(std::move(node), writer);
   }
 
@@ -482,7 +593,7 @@ class Prover::Search {
       node.premises.push_back(WriteGoal(GoalFor(premise, 0), writer));
     }
     proof.nodes.push_back(std::move(node));
-    return proof;
+    return WithoutSpare(std::move(proof));
   }
 
   int TableOf(std::string_view rule) const {
@@ -497,9 +608,10 @@ class Prover::Search {
   Derivations derivations_;
   const rdf::View& view_;
   bool with_computed_;
-  rdf::TermId transitive_property_{};
-  std::unordered_map<rdf::TermId, bool> is_path_;
-  std::vector<Tactic> tactics_;  // by number of the rule
+  rdf::TermId transitive_property_{}, different_from_{};
+  std::set<std::pair<rdf::TermId, rdf::TermId>> refused_;  // by value
+  std::set<rdf::TermId> path_properties_;                  // empty before the first question
+  std::vector<Tactic> tactics_;                            // by number of the rule
   std::map<std::string, int, std::less<>> table_of_;
   std::unordered_map<Goal, Known, GoalHash> known_;
   std::unordered_map<std::uint64_t, std::unique_ptr<ProofPaths>> paths_;
@@ -513,14 +625,19 @@ Prover::Prover(rdf::View view)
     : view_(std::move(view)), plain_(std::make_unique<Search>(view_, false)) {}
 Prover::~Prover() = default;
 
+// What a search has worked out it knows when it is asked again.
 template <typename Ask>
 std::optional<Proof> Prover::Try(const ProofOptions& options, const Ask& ask) {
-  try {
+  for (const std::size_t work : {kWorkWhereLiteralsMatter, kWorkOfFirstSearch}) {
     ProofOptions first = options;
-    first.max_work = std::min(first.max_work, kWorkOfFirstSearch);
-    return ask(*plain_, first);
-  } catch (const Error& error) {
-    if (error.code() != Code::kTooLarge && error.code() != Code::kInternal) throw;
+    first.max_work = std::min(first.max_work, work);
+    try {
+      return ask(*plain_, first);
+    } catch (const Error& error) {
+      if (error.code() != Code::kTooLarge && error.code() != Code::kInternal) throw;
+      const bool was_stopped_early = error.code() == Code::kTooLarge && first.max_work == work;
+      if (!was_stopped_early || LiteralsMatter(view_)) break;
+    }
   }
   if (!computing_) computing_ = std::make_unique<Search>(view_, true);
   return ask(*computing_, options);

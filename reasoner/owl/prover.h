@@ -28,11 +28,12 @@ class Prover {
   // nothing (so a part that is used twice counts twice, and is shown once). Among equals the one
   // found first, which depends on the view alone. None when the triple does not hold. What holds
   // without being stored (on_demand.h) is one step without premises; only where there is no proof
-  // without such premises are they looked at. What follows only by way of a triple about a literal
-  // (of a symmetric property, say), which no view shows, is not found: kTooLarge.
+  // without such premises are they looked at, and with them what holds of literals and no view
+  // shows: in such a proof a literal may be a subject, as the rules allow. `triple` may be such a
+  // one too.
   std::optional<Proof> Why(const rdf::Triple& triple, const ProofOptions& options = {});
   // Of one of the contradictions that the layers list, the one of least cost. None when there is
-  // none.
+  // none. That two values differ is dt-diff, a premise of eq-diff1.
   std::optional<Proof> WhyContradiction(const ProofOptions& options = {});
 
  private:

@@ -184,6 +184,7 @@ class Search {
 
 std::vector<Lack> WhyNot(const rdf::View& view, const rdf::Triple& goal,
                          const WhyNotOptions& options) {
+  if (auto axioms = WhyNoAxiom(view, goal)) return *axioms;
   return Search(view, options).Ways(goal, 1);
 }
 

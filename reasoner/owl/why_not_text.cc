@@ -44,12 +44,13 @@ std::string ToText(const rdf::Triple& goal, const std::vector<Lack>& lacks, cons
     for (std::size_t j = 0; j < lack.missing.size(); ++j) {
       text += (j == 0 ? "" : "\n  and ") + PhraseOf(lack.missing[j], view);
     }
-    text += "\n    by";
+    text += lack.rules.empty() ? "\n    were said: no axiom leads there" : "\n    by";
     for (const std::string& rule : lack.rules) text += " " + rule;
     std::string given;
     for (const rdf::Triple& triple : lack.held) {
       if (IsListCell(triple, view)) continue;
-      given += (given.empty() ? ", given that " : ", ") + PhraseOf(triple, view);
+      const char* first = lack.rules.empty() ? "; what does hold: " : ", given that ";
+      given += (given.empty() ? first : ", ") + PhraseOf(triple, view);
     }
     text += given + "\n";
   }

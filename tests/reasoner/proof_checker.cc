@@ -9,6 +9,7 @@
 
 #include "ontology/rdf/vocabulary.h"
 #include "tests/ontology/test_graph.h"
+#include "tests/reasoner/literal_checker.h"
 
 namespace lares::testing {
 namespace {
@@ -86,9 +87,24 @@ class Step {
     return lists;
   }
 
-  bool MayHaveDatatype(TermId literal, TermId datatype) const {
-    const rdf::TermView view = dictionary_.Get(literal);
-    return view.kind == rdf::TermKind::kLiteral && view.datatype == dictionary_.Get(datatype).value;
+  std::optional<LiteralValue> MeaningOf(TermId term) const {
+    return testing::MeaningOf(dictionary_.Get(term));
+  }
+  std::string_view IriOf(TermId term) const {
+    const rdf::TermView view = dictionary_.Get(term);
+    return view.kind == rdf::TermKind::kIri ? view.value : std::string_view();
+  }
+  // Whether a literal has a value that is none of the datatype's, or a text that says no value.
+  bool IsOutside(TermId term, std::string_view datatype) const {
+    const rdf::TermView view = dictionary_.Get(term);
+    if (view.kind != rdf::TermKind::kLiteral) return false;
+    const auto value = testing::MeaningOf(view);
+    return value ? !IsOneOf(*value, datatype) : IsKnownDatatype(view.datatype);
+  }
+  // Whether two terms are literals of known values that differ, or do not.
+  bool AreValues(TermId a, TermId b, bool equal) const {
+    const auto first = MeaningOf(a), second = MeaningOf(b);
+    return first && second && (*first == *second) == equal;
   }
 
  private:
@@ -580,11 +596,37 @@ void AddAxioms(Rules& rules) {
   };
   rules["cls-thing"] = {6, is_class("owl:Thing")};
   rules["cls-nothing1"] = {6, is_class("owl:Nothing")};
-  // The tests' literals are strings and small integers.
+}
+
+// Table 8.
+void AddDatatypes(Rules& rules) {
+  rules["dt-type1"] = {8, [](Step& t) {
+                         const auto [s, p, o] = t.conclusion();
+                         return t.size() == 0 && p == t.Type() && o == t.Name("rdfs:Datatype") &&
+                                IsKnownDatatype(t.IriOf(s));
+                       }};
   rules["dt-type2"] = {8, [](Step& t) {
                          const auto [s, p, o] = t.conclusion();
-                         return t.size() == 0 && p == t.Type() && t.MayHaveDatatype(s, o);
+                         const auto value = t.MeaningOf(s);
+                         return t.size() == 0 && p == t.Type() && value &&
+                                IsOneOf(*value, t.IriOf(o));
                        }};
+  rules["dt-eq"] = {8, [](Step& t) {
+                      const auto [s, p, o] = t.conclusion();
+                      return t.size() == 0 && p == t.Name("owl:sameAs") && t.AreValues(s, o, true);
+                    }};
+  rules["dt-diff"] = {8, [](Step& t) {
+                        const auto [s, p, o] = t.conclusion();
+                        return t.size() == 0 && p == t.Name("owl:differentFrom") &&
+                               t.AreValues(s, o, false);
+                      }};
+  rules["dt-not-type"] = {8, [](Step& t) {
+                            if (t.size() != 1) return false;
+                            const auto [s, p, o] = t.premises().front();
+                            const std::string_view datatype = t.IriOf(o);
+                            if (p != t.Type() || !IsKnownDatatype(datatype)) return false;
+                            return t.IsOutside(s, datatype);
+                          }};
 }
 
 const Rules& AllRules() {
@@ -596,6 +638,7 @@ const Rules& AllRules() {
     AddClassAxioms(all);
     AddSchema(all);
     AddAxioms(all);
+    AddDatatypes(all);
     return all;
   }();
   return rules;

@@ -78,6 +78,53 @@ TEST(WhyNotTest, CirclesOfDefinitionsEnd) {
   WhyNot(view, TripleOf(":x a :A", view.dictionary()));
 }
 
+constexpr char kKitchen[] =
+    ":Cup rdfs:subClassOf :DrinkingVessel . :DrinkingVessel rdfs:subClassOf :Vessel . "
+    ":Vessel rdfs:subClassOf :Artifact . :Bottle rdfs:subClassOf :Container . "
+    ":Container rdfs:subClassOf :Artifact . :Artifact rdfs:subClassOf :Object . "
+    ":Vessel rdfs:subClassOf _:v . _:v owl:onProperty :has ; owl:someValuesFrom :Cavity . "
+    ":Container owl:equivalentClass _:w . _:w owl:onProperty :holds ; owl:someValuesFrom :Object "
+    ". ";
+
+TEST(WhyNotTest, OfASubclassAnAxiomIsMissingAndTheNearestSuperclassIsTold) {
+  const rdf::View view = Closed(kKitchen);
+  const rdf::Triple goal = TripleOf(":Cup rdfs:subClassOf :Container", view.dictionary());
+  const auto lacks = WhyNot(view, goal);
+  ASSERT_EQ(lacks.size(), 2U);
+  EXPECT_EQ(Missing(lacks[0], view), std::vector<std::string>{"Cup subClassOf Container"});
+  EXPECT_EQ(Missing(lacks[1], view), std::vector<std::string>{"Vessel subClassOf Container"});
+  EXPECT_EQ(ToText(goal, lacks, view),
+            "'Cup subClassOf Container' does not hold; it would, if\n"
+            "  Cup subClassOf Container\n"
+            "    were said: no axiom leads there; what does hold: Cup subClassOf Artifact, "
+            "Container subClassOf Artifact\n"
+            "or\n"
+            "  Vessel subClassOf Container\n"
+            "    by scm-sco, given that Cup subClassOf Vessel\n");
+}
+
+TEST(WhyNotTest, TheOtherWayRoundIsTold) {
+  const rdf::View view = Closed(kKitchen);
+  const rdf::Triple goal = TripleOf(":Artifact rdfs:subClassOf :Cup", view.dictionary());
+  const auto lacks = WhyNot(view, goal);
+  ASSERT_EQ(lacks.size(), 1U);
+  EXPECT_NE(ToText(goal, lacks, view).find("what does hold: Cup subClassOf Artifact"),
+            std::string::npos);
+}
+
+TEST(WhyNotTest, OfClassesThatNothingJoinsOnlyTheAxiomIsMissing) {
+  const rdf::View view = Closed(":A a owl:Class . :B a owl:Class . :p a owl:ObjectProperty .");
+  for (const char* axiom : {":A rdfs:subClassOf :B", ":A owl:equivalentClass :B",
+                            ":p rdfs:domain :A", ":p rdfs:subPropertyOf :q"}) {
+    const rdf::Triple goal = TripleOf(axiom, view.dictionary());
+    const auto lacks = WhyNot(view, goal);
+    ASSERT_EQ(lacks.size(), 1U) << axiom;
+    ASSERT_EQ(lacks[0].missing.size(), 1U);
+    EXPECT_TRUE(lacks[0].held.empty()) << ToText(goal, lacks, view);
+    EXPECT_TRUE(lacks[0].rules.empty());
+  }
+}
+
 // Whatever is said to be missing, adding it makes the triple follow.
 TEST(WhyNotTest, AddingWhatIsMissingMakesItFollow) {
   int ways = 0;
@@ -85,7 +132,8 @@ TEST(WhyNotTest, AddingWhatIsMissingMakesItFollow) {
     Author author(seed);
     const std::string text = author.Text(16);
     const rdf::View view = Closed(text);
-    for (const char* name : {":I0 a :C0", ":I1 a :C1", ":I2 a :C2", ":I0 :P0 :I1"}) {
+    for (const char* name :
+         {":I0 a :C0", ":I1 a :C1", ":I2 a :C2", ":I0 :P0 :I1", ":C0 rdfs:subClassOf :C1"}) {
       const rdf::Triple goal = TripleOf(name, view.dictionary());
       if (view.Contains(goal)) continue;
       for (const Lack& lack : WhyNot(view, goal)) {
