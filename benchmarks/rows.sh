@@ -11,7 +11,8 @@ row() {
   elif ! awk -v m="$5" -v l="$3" "BEGIN {exit !(m == m + 0 && m $2 l)}"; then
     verdict="SHORT" short=1
   fi
-  printf '%-66s %2s %-9s %12s  %-10s load %s  %s\n' "$1" "$2" "$limit" "$(awk -v m="$5" 'BEGIN {printf m == int(m) && m < 1e9 ? "%d" : "%.4g", m}')" "$4" \
+  # Padded here, for printf counts bytes.
+  printf '%s%*s %2s %-9s %12s  %-10s load %s  %s\n' "$1" "$((66 - ${#1}))" "" "$2" "$limit" "$(awk -v m="$5" 'BEGIN {printf m == int(m) && m < 1e9 ? "%d" : "%.4g", m}')" "$4" \
     "$(cut -d' ' -f1 /proc/loadavg)" "$verdict"
 }
 
@@ -20,7 +21,7 @@ rows() {
   local what relation limit unit measured
   while IFS=$'\t' read -r what relation limit unit measured; do
     row "$what" "$relation" "$limit" "$unit" "$measured"
-  done < <("$@" || printf '%s\t==\t0\texit code\t%s\n' "$(basename "$1") ${2:-}" "$?")
+  done < <("$@" || { code=$?; printf '%s\t==\t0\texit code\t%s\n' "${1##*/} ${2:-}" "$code"; })
 }
 
 median() { sort -g | awk '{v[NR] = $1} END {print v[int((NR + 1) / 2)]}'; }
