@@ -33,17 +33,41 @@ hostile() {
     done
   done
 }
+# A circle of 6 000 links, whose closure is too large, put again and again.
+exploding() {
+  awk 'BEGIN {
+    print "@prefix : <http://example.org/> . @prefix owl: <http://www.w3.org/2002/07/owl#> ."
+    print ":o a owl:Ontology . :p a owl:TransitiveProperty ."
+    for (i = 0; i < 6000; ++i) printf ":n%d :p :n%d .\n", i, (i + 1) % 6000
+  }' >"$work/circle.ttl"
+  while :; do "$lares" ontology put "$work/circle.ttl" --server "$url" >/dev/null 2>&1; done
+}
+cross_product() {
+  while :; do
+    curl -s -o /dev/null --data-urlencode \
+      'query=SELECT (COUNT(*) AS ?n) { ?a ?b ?c . ?d ?e ?f . ?g ?h ?i }' "$url/v1/sparql"
+  done
+}
+# beside WHAT COMMAND COMMAND: what both at once do to other clients.
+beside() {
+  "$2" & local one=$!
+  "$3" & local two=$!
+  sleep 1
+  local busy
+  busy="$(for _ in 1 2 3 4 5; do p99; done | median)"
+  kill $one $two
+  wait $one $two 2>/dev/null || true
+  row "  … beside $1" - - ms "$busy"
+  row "  … its ratio" "<" 2 times "$(awk "BEGIN {print $busy / $quiet}")"
+}
 quiet="$(for _ in 1 2 3 4 5; do p99; done | median)"
-hostile & one=$!
-hostile & two=$!
-sleep 1
-busy="$(for _ in 1 2 3 4 5; do p99; done | median)"
-kill $one $two
-wait $one $two 2>/dev/null || true
 row "p99 of small GETs, quiet" - - ms "$quiet"
-row "  … beside two hostile goals" - - ms "$busy"
-row "  … its ratio" "<" 2 times "$(awk "BEGIN {print $busy / $quiet}")"
+beside "two hostile goals" hostile hostile
+beside "an ontology that explodes and a query for everything" exploding cross_product
 
+stop # what it still closes would count
+serve
+ready
 resident() { awk '/VmRSS/ {print $2}' "/proc/$server/status"; }
 before="$(resident)"
 curl -s --limit-rate 4M -o "$work/answers" -H 'Content-Type: application/json' -H 'Accept: application/x-ndjson' \

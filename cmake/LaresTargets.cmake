@@ -8,6 +8,8 @@ endif()
 if(LARES_SANITIZE)
   add_compile_options(-fsanitize=${LARES_SANITIZE} -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${LARES_SANITIZE})
+  # GCC 12 warns of its own <regex> then.
+  target_compile_options(lares_flags INTERFACE -Wno-maybe-uninitialized)
 endif()
 find_program(MOLD mold)
 if(MOLD)

@@ -1,6 +1,7 @@
 // Why something holds, why not, and how far apart two classes are.
 #include <nlohmann/json.hpp>
 
+#include "base/aside.h"
 #include "base/error.h"
 #include "reasoner/owl/on_demand.h"
 #include "reasoner/owl/phrases.h"
@@ -79,11 +80,11 @@ http::Response Why(const http::Request& request, Context& context) {
   owl::Prover prover(view);
   std::optional<owl::Proof> proof;
   if (request.Query("contradiction").value_or("") == "true") {
-    proof = prover.WhyContradiction();
+    proof = Aside([&] { return prover.WhyContradiction(); });
     if (!proof) throw Error(Code::kNotFound, "there is no contradiction");
   } else {
     const rdf::Triple triple = TripleAsked(request, view, context);
-    proof = prover.Why(triple);
+    proof = Aside([&] { return prover.Why(triple); });
     if (!proof) {
       throw Error(Code::kNotFound, "it does not hold that " + owl::PhraseOf(triple, view))
           .WithHint("why-not tells what is missing");
@@ -104,7 +105,7 @@ http::Response WhyNot(const http::Request& request, Context& context) {
     throw Error(Code::kConflict, "it holds that " + owl::PhraseOf(triple, view))
         .WithHint("why tells what it follows from");
   }
-  const std::vector<owl::Lack> lacks = owl::WhyNot(view, triple);
+  const std::vector<owl::Lack> lacks = Aside([&] { return owl::WhyNot(view, triple); });
   const bool as_text = std::string(format.name) == "text";
   return Answer(format,
                 as_text ? owl::ToText(triple, lacks, view) : owl::ToJson(triple, lacks, view));

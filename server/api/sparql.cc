@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <semaphore>
 
+#include "base/aside.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "ontology/rdf/writer.h"
@@ -191,7 +192,7 @@ http::Response Answer(const http::Request& request, Context& context,
   response.headers.Set("Vary", "Accept");
   response.body = http::OpenBody{[asked, pinned, gate](http::OpenSink& sink) {
     const Gate::Pass pass(*gate);
-    WriteAnswer(*asked, pinned->view(), sink);
+    RunAside([&] { WriteAnswer(*asked, pinned->view(), sink); });
   }};
   return response;
 }

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "base/aside.h"
 #include "base/file.h"
 #include "base/search_path.h"
 #include "base/text.h"
@@ -67,8 +68,10 @@ std::shared_ptr<const CatalogueState> MakeCatalogue(const rdf::View& own,
   auto catalogue = std::make_shared<CatalogueState>(CatalogueState{own, generation, 0, {}, {}});
   const bool is_kept_up = before != nullptr && before->view.layers().size() > own.layers().size();
   if (!stored.empty()) {
-    catalogue->view = own.With(is_kept_up ? owl::Update(own, *before->view.layers().back(), stored)
-                                          : owl::Materialise(own, stored));
+    catalogue->view = own.With(Aside([&] {
+      return is_kept_up ? owl::Update(own, *before->view.layers().back(), stored)
+                        : owl::Materialise(own, stored);
+    }));
   }
   for (const auto& layer : catalogue->view.layers()) {
     catalogue->inferred += CountInferred(*layer);

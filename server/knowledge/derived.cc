@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/aside.h"
 #include "mapping/semantic/spatial_relations.h"
 #include "ontology/rdf/vocabulary.h"
 #include "ontology/triples/sorting.h"
@@ -62,7 +63,7 @@ rdf::View WithDerived(const rdf::View& view, const DerivedGraph& derived) {
         {self, terms.InternIri(kWasDerivedFrom), terms.InternIri(DocumentIri(source))});
   }
   rdf::SortAndDeduplicate(graph.triples);
-  return view.With(owl::Materialise(view, {std::move(graph)}));
+  return view.With(Aside([&] { return owl::Materialise(view, {std::move(graph)}); }));
 }
 
 rdf::View WithoutDerived(const rdf::View& view) {

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "base/aside.h"
 #include "base/text.h"
 #include "ontology/rdf/reader.h"
 #include "ontology/rdf/vocabulary.h"
@@ -282,7 +283,8 @@ PutAnswer Knowledge::Put(const PutRequest& original) {
     }
     state_->CheckAuthority(*base, incoming.graph, {request.bytes, incoming.source}, judge);
   }
-  incoming.view = base->view.With(owl::Materialise(base->view, {incoming.graph}));
+  incoming.view =
+      base->view.With(Aside([&] { return owl::Materialise(base->view, {incoming.graph}); }));
   const auto& layer = *incoming.view.layers().back();
   incoming.answer.inferred = CountInferred(layer);
   incoming.answer.warnings = AbsentImports(incoming.content, base->modules, state_->aliases);

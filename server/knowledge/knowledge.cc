@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/aside.h"
 #include "base/file.h"
 #include "base/search_path.h"
 #include "ontology/rdf/reader.h"
@@ -113,7 +114,7 @@ std::optional<Contradiction> Knowledge::State::Convict(const CatalogueState& bas
     }
   }
   const rdf::View below = firm.For(base.generation, own, *authority.own(), stored);
-  return FindContradiction(below.With(owl::Materialise(below, {graph})));
+  return FindContradiction(below.With(Aside([&] { return owl::Materialise(below, {graph}); })));
 }
 
 rdf::View Knowledge::State::ViewOf(const Stack& stack, const rdf::Graph* environment_graph) {

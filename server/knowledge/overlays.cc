@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/aside.h"
 #include "reasoner/owl/materialise.h"
 
 namespace lares::server {
@@ -35,7 +36,8 @@ Snapshot Close(const Snapshot& below, const OverlaySource& source, rdf::Graph to
                const std::stop_token& stop) {
   std::vector<rdf::Graph> graphs;
   graphs.push_back(std::move(top));
-  const rdf::View view = below.view.With(owl::Materialise(below.view, std::move(graphs), {}, stop));
+  const rdf::View view = below.view.With(
+      Aside([&] { return owl::Materialise(below.view, std::move(graphs), {}, stop); }));
   return {source.complete ? source.complete(view) : view, below.generation};
 }
 
