@@ -29,6 +29,7 @@
 #include "ontology/rdf/reader.h"
 #include "ontology/rdf/vocabulary.h"
 #include "reasoner/owl/materialise.h"
+#include "reasoner/owl/prover.h"
 
 namespace lares::bench {
 namespace {
@@ -38,6 +39,7 @@ using Facts = std::set<std::string>;  // "x type C", "x p y", of names alone
 
 const std::string kType = std::string(rdf::kRdf) + "type";
 const std::string kSubClassOf = std::string(rdf::kRdfs) + "subClassOf";
+constexpr std::size_t kLinesShown = 20;
 constexpr const char* kProbe = "http://example.org/probe/";
 
 // ---- What both are given ------------------------------------------------------------------------
@@ -114,38 +116,61 @@ Probed WithProbes(const rdf::Document& document, std::vector<rdf::OwlNode> axiom
 struct Conclusions {
   Facts facts;
   bool is_consistent = true;
-  Facts contradicting;  // the premises of contradictions
 };
 
 bool IsName(const rdf::View& view, rdf::TermId term) {
   return view.dictionary().Kind(term) == rdf::TermKind::kIri;
 }
 
-Conclusions ByLares(const fs::path& file, const std::vector<std::string>& properties) {
+rdf::View Closed(const fs::path& file) {
   rdf::ReadOptions options;
   options.source = file.filename().string();
-  const auto dictionary = std::make_shared<rdf::Dictionary>();
-  rdf::View view(dictionary);
+  const rdf::View empty(std::make_shared<rdf::Dictionary>());
   const rdf::Document document = ReadRdf(ReadFile(file), rdf::Format::kOwlXml, options);
-  view = view.With(owl::Materialise(view, {rdf::MakeGraph(document, "it", {}, *dictionary)}));
+  return empty.With(
+      owl::Materialise(empty, {rdf::MakeGraph(document, "it", {}, empty.dictionary())}));
+}
+
+std::string ToText(const rdf::View& view, const rdf::Triple& triple) {
+  const auto text = [&](rdf::TermId term) {
+    return std::string(view.dictionary().Get(term).value);
+  };
+  return text(triple.subject) + ' ' + text(triple.predicate) + ' ' + text(triple.object);
+}
+
+Conclusions ByLares(const fs::path& file, const std::vector<std::string>& properties) {
+  const rdf::View view = Closed(file);
   Conclusions found;
-  const auto text = [&](rdf::TermId term) { return std::string(dictionary->Get(term).value); };
-  for (const rdf::Clash& clash : view.layers()[0]->clashes()) {
-    found.is_consistent = false;
-    for (const auto& [s, p, o] : clash.premises) {
-      found.contradicting.insert(text(s) + ' ' + text(p) + ' ' + text(o));
-    }
-  }
+  found.is_consistent = view.layers()[0]->clashes().empty();
   const auto add = [&](const std::string& property) {
-    const rdf::TermId p = dictionary->InternIri(property);
-    view.ForEach({{}, p, {}}, [&](const rdf::Triple& triple) {
-      if (!IsName(view, triple.subject) || !IsName(view, triple.object)) return true;
-      found.facts.insert(text(triple.subject) + ' ' + property + ' ' + text(triple.object));
+    view.ForEach({{}, view.dictionary().InternIri(property), {}}, [&](const rdf::Triple& triple) {
+      if (IsName(view, triple.subject) && IsName(view, triple.object)) {
+        found.facts.insert(ToText(view, triple));
+      }
       return true;
     });
   };
   add(kType);
   for (const std::string& property : properties) add(property);
+  return found;
+}
+
+// What contradictions rest on: the premises of all, and of one of them all that is asserted.
+struct Contradictions {
+  Facts premises, asserted;
+};
+
+Contradictions ContradictionsIn(const fs::path& file) {
+  const rdf::View view = Closed(file);
+  Contradictions found;
+  for (const rdf::Clash& clash : view.layers()[0]->clashes()) {
+    for (const rdf::Triple& premise : clash.premises) found.premises.insert(ToText(view, premise));
+  }
+  if (found.premises.empty()) return found;
+  const auto proof = owl::Prover(view).WhyContradiction();
+  for (const owl::ProofNode& node : proof->nodes) {
+    if (node.rule.empty()) found.asserted.insert(ToText(view, node.triple));
+  }
   return found;
 }
 
@@ -282,7 +307,9 @@ std::vector<std::string> Less(const Facts& all, const Facts& some) {
 void Tell(const char* what, const std::vector<std::string>& lines) {
   if (lines.empty()) return;
   std::cerr << what << " (" << lines.size() << ")\n";
-  for (const std::string& line : lines) std::cerr << "  " << line << '\n';
+  const std::size_t shown = std::min(lines.size(), kLinesShown);
+  for (std::size_t i = 0; i < shown; ++i) std::cerr << "  " << lines[i] << '\n';
+  if (shown < lines.size()) std::cerr << "  and " << lines.size() - shown << " more\n";
 }
 
 // "s p o" for an axiom that is one triple of names and literals; else "".
@@ -298,6 +325,8 @@ std::string FactOf(const rdf::Document& document, const rdf::OwlNode& axiom) {
     case rdf::Construct::kDataPropertyAssertion:
     case rdf::Construct::kObjectPropertyAssertion:
       return text(1) + ' ' + text(0) + ' ' + text(2);
+    case rdf::Construct::kClassAssertion:
+      return text(1) + ' ' + kType + ' ' + text(0);
     case rdf::Construct::kDataPropertyRange:
       return text(0) + ' ' + std::string(rdf::kRdfs) + "range " + text(1);
     case rdf::Construct::kDisjointClasses:
@@ -307,23 +336,29 @@ std::string FactOf(const rdf::Document& document, const rdf::OwlNode& axiom) {
   }
 }
 
-// Leaves out the assertions, data ranges and disjointnesses that contradictions rest on, until
-// there are none (a class that can have no member is one, as each has a member here). From what is
-// inconsistent everything follows, which is nothing to compare.
+// Leaves out the assertions (types last), data ranges and disjointnesses that contradictions rest
+// on, until there are none (a class that can have no member is one, as each has a member here).
+// From what is inconsistent everything follows, which is nothing to compare.
 void LeaveOutContradictions(const rdf::Document& document, const fs::path& file,
                             std::vector<rdf::OwlNode>& axioms) {
   std::vector<std::string> left_out;
-  for (bool again = true; again;) {
+  const auto leave_out = [&](const Facts& facts, bool with_types) {
+    return std::erase_if(axioms, [&](const rdf::OwlNode& axiom) {
+             const bool is_type = axiom.construct == rdf::Construct::kClassAssertion;
+             if (is_type && !with_types) return false;
+             const std::string fact = FactOf(document, axiom);
+             if (!facts.contains(fact)) return false;
+             left_out.push_back(fact);
+             return true;
+           }) > 0;
+  };
+  while (true) {
     WriteFileAtomically(file, WithProbes(document, axioms).owl_xml);
-    const Facts contradicting = ByLares(file, {}).contradicting;
-    const std::size_t before = axioms.size();
-    std::erase_if(axioms, [&](const rdf::OwlNode& axiom) {
-      const std::string fact = FactOf(document, axiom);
-      if (!contradicting.contains(fact)) return false;
-      left_out.push_back(fact);
-      return true;
-    });
-    again = axioms.size() < before;
+    const Contradictions found = ContradictionsIn(file);
+    if (!leave_out(found.premises, false) && !leave_out(found.asserted, false) &&
+        !leave_out(found.asserted, true)) {
+      break;
+    }
   }
   Tell("left out, being part of a contradiction", left_out);
 }
@@ -333,7 +368,7 @@ void LeaveOutContradictions(const rdf::Document& document, const fs::path& file,
 // wrong what it never says.
 struct Difference {
   std::vector<std::string> missing, wrong;
-  std::size_t count = 0;  // Konclude's conclusions
+  std::size_t count = 0;  // Konclude's conclusions, where it gave most
   bool is_consistent = true;
   double seconds = 0;  // of the first answer
 };
@@ -350,6 +385,7 @@ Difference Differ(const Conclusions& ours, const std::function<Conclusions()>& a
       difference = {std::move(missing), std::move(wrong), theirs.facts.size(), theirs.is_consistent,
                     seconds};
     } else {
+      difference.count = std::max(difference.count, theirs.facts.size());
       std::erase_if(difference.missing,
                     [&](const auto& fact) { return !theirs.facts.contains(fact); });
       std::erase_if(difference.wrong,

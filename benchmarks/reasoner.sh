@@ -43,7 +43,11 @@ konclude() {
 }
 konclude "our ontology" ontology/*.ttl
 if [ -n "$data" ]; then
-  konclude "RoboEarth" "$data"/roboearth/ontology/*.owl "$data"/roboearth/srdl/*.owl
+  ontologies=("$data"/roboearth/ontology/*.owl "$data"/roboearth/srdl/*.owl)
+  konclude "RoboEarth" "${ontologies[@]}"
+  for robot in PR2 amigo; do
+    konclude "RoboEarth with $robot" "${ontologies[@]}" "$data/roboearth/robots/$robot.owl"
+  done
 fi
 
 # SWI-Prolog's rdf_db on the same file: explicit triples, loaded and matched.
