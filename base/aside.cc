@@ -12,10 +12,12 @@ constexpr int kNiceness = 15;
 
 }  // namespace
 
+void GiveWay() { ::setpriority(PRIO_PROCESS, 0, kNiceness); }  // 0: this thread
+
 void RunAside(const std::function<void()>& work) {
   std::exception_ptr fault;
   std::thread thread([&] {
-    ::setpriority(PRIO_PROCESS, 0, kNiceness);  // on Linux: of this thread
+    GiveWay();
     try {
       work();
     } catch (...) {

@@ -5,9 +5,12 @@
 
 namespace lares {
 
-// Runs `work` on a thread of its own that gives way to all others (on Linux: by its niceness) and
-// waits for it; throws what it throws. A closure or a query that keeps a processor busy for seconds
-// then makes nobody wait who asks for little. It costs about 50 µs.
+// Makes the calling thread give way to all others, for good (on Linux: by its niceness).
+void GiveWay();
+
+// Runs `work` on a thread of its own that gives way to all others, and waits for it; throws what it
+// throws. A closure or a query that keeps a processor busy for seconds then makes nobody wait who
+// asks for little. It costs the start of a thread.
 void RunAside(const std::function<void()>& work);
 
 // The same for what gives a value.

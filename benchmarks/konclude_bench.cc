@@ -21,6 +21,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "benchmarks/konclude.h"
 #include "benchmarks/measure.h"
 #include "benchmarks/owl_parts.h"
 #include "ontology/rdf/document_builder.h"
@@ -35,8 +36,6 @@ namespace lares::bench {
 namespace {
 
 namespace fs = std::filesystem;
-using Facts = std::set<std::string>;  // "x type C", "x p y", of names alone
-
 const std::string kType = std::string(rdf::kRdf) + "type";
 const std::string kSubClassOf = std::string(rdf::kRdfs) + "subClassOf";
 constexpr std::size_t kLinesShown = 20;
@@ -113,11 +112,6 @@ Probed WithProbes(const rdf::Document& document, std::vector<rdf::OwlNode> axiom
 
 // ---- Lares --------------------------------------------------------------------------------------
 
-struct Conclusions {
-  Facts facts;
-  bool is_consistent = true;
-};
-
 bool IsName(const rdf::View& view, rdf::TermId term) {
   return view.dictionary().Kind(term) == rdf::TermKind::kIri;
 }
@@ -171,119 +165,6 @@ Contradictions ContradictionsIn(const fs::path& file) {
   for (const owl::ProofNode& node : proof->nodes) {
     if (node.rule.empty()) found.asserted.insert(ToText(view, node.triple));
   }
-  return found;
-}
-
-// ---- Konclude -----------------------------------------------------------------------------------
-
-void Run(const std::string& command, const fs::path& log) {
-  const std::string line = "timeout 300 Konclude " + command + " >" + log.string() + " 2>&1";
-  if (std::system(line.c_str()) != 0) throw Error(Code::kInternal, "Konclude failed: " + line);
-}
-
-std::string Unescaped(std::string text) {
-  for (std::size_t at = 0; (at = text.find("&amp;", at)) != std::string::npos; ++at) {
-    text.erase(at + 1, 4);
-  }
-  return text;
-}
-
-// The IRIs bound to x and y in answers written one after the other.
-void ReadAnswers(const std::string& text, const std::vector<std::string>& properties,
-                 Facts& facts) {
-  std::size_t at = 0;
-  for (const std::string& property : properties) {
-    at = text.find("<sparql", at);
-    if (at == std::string::npos) throw Error(Code::kInternal, "Konclude answered too few queries");
-    const std::size_t end = text.find("</sparql>", at);
-    std::string subject;
-    while (true) {
-      const std::size_t binding = text.find("<binding name=\"", at);
-      if (binding >= end) break;
-      const char variable = text[binding + 15];
-      const std::size_t close = text.find("</binding>", binding);
-      const std::size_t uri = text.find("<uri>", binding);
-      at = close;
-      std::string value;  // stays empty for what is no IRI
-      if (uri < close) {
-        value = Unescaped(text.substr(uri + 5, text.find("</uri>", uri) - uri - 5));
-      }
-      if (variable == 'x') {
-        subject = value;
-      } else if (!subject.empty() && !value.empty()) {
-        facts.insert(subject + ' ' + property + ' ' + value);
-      }
-    }
-    at = end;
-  }
-}
-
-// Calls the function for each `property` between two IRIs in a file of OWL/XML.
-void ForEachNamed(const fs::path& file, const std::string& property,
-                  const std::function<void(const std::string&, const std::string&)>& visit) {
-  rdf::ReadOptions options;
-  options.source = file.filename().string();
-  const rdf::Document document = ReadRdf(ReadFile(file), rdf::Format::kOwlXml, options);
-  for (const rdf::Statement& statement : document.statements) {
-    const auto& s = document.terms[statement.subject];
-    const auto& o = document.terms[statement.object];
-    if (document.terms[statement.predicate].value != property) continue;
-    if (s.kind == rdf::TermKind::kIri && o.kind == rdf::TermKind::kIri) visit(s.value, o.value);
-  }
-}
-
-// "c subClassOf d", for all that there is between names.
-Conclusions ClassesByKonclude(const fs::path& file) {
-  const fs::path folder = file.parent_path();
-  Run("classification -w 2 -i " + file.string() + " -o " + (folder / "classes.owx").string(),
-      folder / "log");
-  Conclusions found;
-  found.is_consistent = ReadFile(folder / "log").find("inconsistent") == std::string::npos;
-  std::map<std::string, std::set<std::string>> above;
-  ForEachNamed(folder / "classes.owx", kSubClassOf,
-               [&](const std::string& c, const std::string& d) { above[c].insert(d); });
-  ForEachNamed(folder / "classes.owx", std::string(rdf::kOwl) + "equivalentClass",
-               [&](const std::string& c, const std::string& d) {
-                 above[c].insert(d);
-                 above[d].insert(c);
-               });
-  for (const auto& [c, direct] : above) {
-    std::vector<std::string> todo(direct.begin(), direct.end());
-    std::set<std::string> seen;
-    while (!todo.empty()) {
-      const std::string d = todo.back();
-      todo.pop_back();
-      if (!seen.insert(d).second) continue;
-      if (d != c) found.facts.insert(c + ' ' + kSubClassOf + ' ' + d);
-      const auto next = above.find(d);
-      if (next != above.end()) todo.insert(todo.end(), next->second.begin(), next->second.end());
-    }
-  }
-  return found;
-}
-
-Conclusions ByKonclude(const fs::path& file, const std::vector<std::string>& properties) {
-  const fs::path folder = file.parent_path();
-  const fs::path log = folder / "log";
-  Run("realization -w 2 -i " + file.string() + " -o " + (folder / "types.owx").string(), log);
-  Conclusions found;
-  const std::string said = ReadFile(log);
-  if (said.find("inconsistent") != std::string::npos) found.is_consistent = false;
-  for (std::size_t at = 0; (at = said.find("{error}", at)) != std::string::npos; ++at) {
-    std::cerr << "  Konclude: " << said.substr(at, said.find('\n', at) - at) << '\n';
-  }
-  ForEachNamed(folder / "types.owx", kType, [&](const std::string& x, const std::string& c) {
-    found.facts.insert(x + ' ' + kType + ' ' + c);
-  });
-  std::string queries;
-  for (const std::string& property : properties) {
-    queries += "SELECT ?x ?y WHERE { ?x <" + property + "> ?y . }\n";
-  }
-  WriteFileAtomically(folder / "queries", queries);
-  Run("sparqlfile -w 2 -i " + file.string() + " -s " + (folder / "queries").string() + " -o " +
-          (folder / "answers").string(),
-      log);
-  ReadAnswers(ReadFile(folder / "answers"), properties, found.facts);
   return found;
 }
 
@@ -363,9 +244,8 @@ void LeaveOutContradictions(const rdf::Document& document, const fs::path& file,
   Tell("left out, being part of a contradiction", left_out);
 }
 
-// What Konclude answers now and then lacks something or has too much, with two workers (with one it
-// hangs). Where it and Lares differ it is asked twice more: missing is what it says each time,
-// wrong what it never says.
+// Where Konclude and Lares differ it is asked twice more: missing is what it says each time, wrong
+// what it never says.
 struct Difference {
   std::vector<std::string> missing, wrong;
   std::size_t count = 0;  // Konclude's conclusions, where it gave most
@@ -398,48 +278,58 @@ Difference Differ(const Conclusions& ours, const std::function<Conclusions()>& a
 
 double Count(const std::vector<std::string>& list) { return static_cast<double>(list.size()); }
 
+// The axioms in `file`, probed, without what contradicts itself.
+Probed Prepare(const rdf::Document& document, const fs::path& file,
+               std::vector<rdf::OwlNode>& axioms) {
+  LeaveOutContradictions(document, file, axioms);
+  Probed probed = WithProbes(document, axioms);
+  WriteFileAtomically(file, probed.owl_xml);
+  return probed;
+}
+
+void TellWrong(const Difference& difference, const Conclusions& ours, const char* unit) {
+  Tell("wrong", difference.wrong);
+  Row("  … of Lares that Konclude does not have", "<=", 0, unit, Count(difference.wrong));
+  Row("  … both find it consistent", ">=", 1, "yes",
+      ours.is_consistent && difference.is_consistent ? 1 : 0);
+}
+
 void CompareRl(const std::string& name, const rdf::Document& document, const fs::path& file,
                std::vector<rdf::OwlNode> axioms) {
-  LeaveOutContradictions(document, file, axioms);
-  const Probed probed = WithProbes(document, axioms);
-  WriteFileAtomically(file, probed.owl_xml);
+  const Probed probed = Prepare(document, file, axioms);
   Conclusions ours;
   const double seconds = SecondsOf([&] { ours = ByLares(file, probed.properties); });
   DropTrivial(ours.facts);
-  const Difference difference = Differ(ours, [&] { return ByKonclude(file, probed.properties); });
+  const Difference difference =
+      Differ(ours, [&] { return IndividualsByKonclude(file, probed.properties); });
   Tell("missing", difference.missing);
-  Tell("wrong", difference.wrong);
   Note(name + ", OWL 2 RL part: Konclude concludes", "facts",
        static_cast<double>(difference.count));
   Row("  … missing in Lares", "<=", 0, "facts", Count(difference.missing));
-  Row("  … of Lares that Konclude does not have", "<=", 0, "facts", Count(difference.wrong));
-  Row("  … both find it consistent", ">=", 1, "yes",
-      ours.is_consistent && difference.is_consistent ? 1 : 0);
+  TellWrong(difference, ours, "facts");
   Note("  … Konclude's time for that of Lares, files read and written", "times",
        difference.seconds / seconds);
 }
 
 void CompareDl(const std::string& name, const rdf::Document& document, const fs::path& file,
                std::vector<rdf::OwlNode> axioms) {
-  LeaveOutContradictions(document, file, axioms);
-  const Probed probed = WithProbes(document, axioms);
-  WriteFileAtomically(file, probed.owl_xml);
-  Conclusions ours;
-  for (const std::string& fact : ByLares(file, {}).facts) {
-    const std::size_t space = fact.find(' ');
-    const auto found = probed.class_of_member.find(fact.substr(0, space));
+  const Probed probed = Prepare(document, file, axioms);
+  Conclusions ours = ByLares(file, {});
+  Facts classes;
+  for (const std::string& fact : ours.facts) {
+    const auto found = probed.class_of_member.find(fact.substr(0, fact.find(' ')));
     const std::string object = fact.substr(fact.rfind(' ') + 1);
     if (found == probed.class_of_member.end() || found->second == object) continue;
-    ours.facts.insert(found->second + ' ' + kSubClassOf + ' ' + object);
+    classes.insert(found->second + ' ' + kSubClassOf + ' ' + object);
   }
+  ours.facts = std::move(classes);
   DropTrivial(ours.facts);
   WriteFileAtomically(file, ToOwlXml(document, std::move(axioms)));
   const Difference difference = Differ(ours, [&] { return ClassesByKonclude(file); });
-  Tell("wrong", difference.wrong);
   Note(name + ", OWL 2 DL part: subclasses by Konclude", "pairs",
        static_cast<double>(difference.count));
   Note("  … beyond OWL 2 RL, which Lares leaves", "pairs", Count(difference.missing));
-  Row("  … of Lares that Konclude does not have", "<=", 0, "facts", Count(difference.wrong));
+  TellWrong(difference, ours, "pairs");
 }
 
 void Compare(const std::string& name, const fs::path& folder,

@@ -12,7 +12,7 @@ std::uint64_t HashOf(const rdf::Triple& triple) {
 }  // namespace
 
 std::size_t Facts::IndexOf(const rdf::Triple& triple) const {
-  const KnownTriples* known = known_.Find(triple.subject);
+  const TripleTable* known = known_.Find(triple.subject);
   if (known == nullptr || known->cells.empty()) return triples_.size();
   const std::uint64_t hash = HashOf(triple);
   const std::size_t mask = known->cells.size() - 1;
@@ -35,7 +35,7 @@ void Facts::Reserve(std::size_t triples) {
 }
 
 bool Facts::Add(const rdf::Triple& triple, std::uint32_t origin) {
-  KnownTriples& known = known_.Make(triple.subject);
+  TripleTable& known = known_.Make(triple.subject);
   if (2 * (known.count + 1) > known.cells.size()) Grow(known);
   const std::uint64_t hash = HashOf(triple);
   const std::size_t mask = known.cells.size() - 1;
@@ -51,7 +51,7 @@ bool Facts::Add(const rdf::Triple& triple, std::uint32_t origin) {
   return true;
 }
 
-void Facts::Grow(KnownTriples& known) const {
+void Facts::Grow(TripleTable& known) const {
   const std::size_t size = known.cells.empty() ? 16 : 2 * known.cells.size();
   auto old = decltype(known.cells)(size, known.cells.get_allocator());
   old.swap(known.cells);

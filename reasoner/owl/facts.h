@@ -88,8 +88,8 @@ class Facts {
   };
 
   // Which triples are known: open addressing; upper half of the hash, index + 1.
-  struct KnownTriples {
-    explicit KnownTriples(TableMemory* memory) : cells(memory) {}
+  struct TripleTable {
+    explicit TripleTable(TableMemory* memory) : cells(memory) {}
 
     std::vector<std::uint64_t, TableAllocator<std::uint64_t>> cells;
     std::size_t count = 0;
@@ -142,12 +142,12 @@ class Facts {
   }
 
   std::size_t IndexOf(const rdf::Triple& triple) const;  // size() when it is not known
-  void Grow(KnownTriples& known) const;
+  void Grow(TripleTable& known) const;
 
   std::vector<rdf::Triple> triples_;
   std::vector<std::uint32_t> origins_;
   TableMemory memory_;
-  Parts<KnownTriples> known_{&memory_};  // by subject
+  Parts<TripleTable> known_{&memory_};  // by subject
   std::size_t published_ = 0;
   Chains by_predicate_{&memory_}, by_predicate_subject_{&memory_}, by_predicate_object_{&memory_};
   Chains by_subject_{&memory_}, by_object_{&memory_};

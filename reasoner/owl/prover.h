@@ -16,6 +16,8 @@ struct ProofOptions {
   std::stop_token stop;              // kTimeout
 };
 
+class ProofSearch;
+
 // Proofs over one closed view. What one question works out serves the next. One thread at a time.
 class Prover {
  public:
@@ -37,13 +39,12 @@ class Prover {
   std::optional<Proof> WhyContradiction(const ProofOptions& options = {});
 
  private:
-  class Search;
   template <typename Ask>
   std::optional<Proof> Try(const ProofOptions& options, const Ask& ask);
 
   rdf::View view_;
-  std::unique_ptr<Search> plain_;      // over what is stored
-  std::unique_ptr<Search> computing_;  // and over what holds on demand; made when needed
+  std::unique_ptr<ProofSearch> plain_;      // over what is stored
+  std::unique_ptr<ProofSearch> computing_;  // and over what holds on demand; made when needed
 };
 
 }  // namespace lares::owl

@@ -67,6 +67,7 @@ class TableMemory {
 // For containers; without a memory of tables it is ordinary memory.
 template <typename T>
 struct TableAllocator {
+  static_assert(alignof(T) <= alignof(void*), "arrays are aligned as a pointer is");
   using value_type = T;
 
   TableAllocator(TableMemory* of = nullptr) : memory(of) {}  // NOLINT: as allocators convert

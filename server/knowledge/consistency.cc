@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "base/aside.h"
 #include "base/text.h"
 #include "ontology/rdf/vocabulary.h"
 #include "reasoner/owl/materialise.h"
@@ -45,15 +46,13 @@ rdf::Graph FirmPart(const rdf::View& own, authority::Owners owners, const rdf::G
   return firm;
 }
 
-// Of the contradiction that is proved in the fewest steps; none when that takes too long to find,
-// and the premises must do.
+// Of the contradiction that is proved in the fewest steps. None when that takes too long to find,
+// or is beyond the prover: the document is refused all the same, and the premises must do.
 std::optional<owl::Proof> ProofOf(const rdf::View& view) {
-  owl::ProofOptions options;
-  options.max_work = 2'000'000;
   try {
-    return owl::Prover(view).WhyContradiction(options);
+    return Aside([&] { return owl::Prover(view).WhyContradiction(); });
   } catch (const Error& error) {
-    if (error.code() != Code::kTooLarge) throw;
+    if (error.code() != Code::kTooLarge && error.code() != Code::kInternal) throw;
     return std::nullopt;
   }
 }

@@ -70,7 +70,9 @@ Knowledge::VersionAnswer Knowledge::PutVersion(const store::NewVersion& original
     state_->CheckAuthority(*base, graph,
                            {state_->store.ReadBlob(layer->blob.sha256), layer->file_name});
     if (const auto found = state_->Convict(*base, view, graph)) {
-      throw ToRefusal(*found, layer->file_name);
+      Refusal refusal = ToRefusal(*found, layer->file_name);
+      refusal.WithHint("mend it: a version of an environment cannot be kept aside");
+      throw refusal;
     }
     answer.warnings = DescribeClashes(view);
     for (const semantic::MapObject& object : answer.objects) {

@@ -1,7 +1,5 @@
 #include "server/knowledge/overlays.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <chrono>
 #include <exception>
@@ -13,8 +11,6 @@
 
 namespace lares::server {
 namespace {
-
-constexpr int kNiceness = 10;
 
 std::string KeyOf(const std::vector<OverlaySource>& stack) {
   std::string key;
@@ -126,7 +122,7 @@ void Overlays::Wait() {
 }
 
 void Overlays::Work(const std::stop_token& stop) {
-  ::setpriority(PRIO_PROCESS, 0, kNiceness);  // on Linux: of this thread
+  GiveWay();
   std::unique_lock lock(mutex_);
   while (changed_.wait(lock, stop, [&] { return NextDue() != by_use_.end(); })) {
     if (stop.stop_requested()) return;

@@ -194,6 +194,49 @@ TEST_F(MaterialiseTest, ClashesBeyondTheLimitAreCounted) {
   EXPECT_EQ(view.layers()[0]->clash_count(), 20U);
 }
 
+// Lists of more than four members are not read as pairs.
+struct LongList {
+  const char* list;
+  const char* harmless;
+  const char* clash;
+  const char* rule;
+};
+
+TEST_F(MaterialiseTest, AnyTwoMembersOfALongListClash) {
+  const LongList lists[] = {
+      {"a owl:AllDisjointClasses ; owl:members ( :C1 :C2 :C3 :C4 :C5 :C6 ) .",
+       ":x a :C2 , :D . :y a :C6 .", ":x a :C6 .", "cax-adc"},
+      {"a owl:AllDisjointProperties ; owl:members ( :p1 :p2 :p3 :p4 :p5 :p6 ) .",
+       ":x :p2 :y , :z ; :p6 :w .", ":x :p6 :z .", "prp-adp"},
+      {"a owl:AllDifferent ; owl:members ( :m1 :m2 :m3 :m4 :m5 :m6 ) .", ":m2 owl:sameAs :other .",
+       ":other owl:sameAs :m6 .", "eq-diff2"},
+      {"a owl:AllDifferent ; owl:distinctMembers ( :m1 :m2 :m3 :m4 :m5 :m6 ) .",
+       ":m2 owl:sameAs :other .", ":other owl:sameAs :m6 .", "eq-diff3"},
+      {"a owl:AllDisjointClasses ; owl:members ( :C1 :C2 :C3 :C4 :C5 :C2 ) .", ":x a :C1 .",
+       ":x a :C2 .", "cax-adc"},
+  };
+  for (const LongList& each : lists) {
+    const auto clashes = [&](const std::string& text) {
+      const rdf::View view = Close(text);
+      std::set<std::string> rules;
+      for (const rdf::Clash& clash : view.layers()[0]->clashes()) rules.insert(clash.rule);
+      return rules;
+    };
+    const std::string list = std::string("_:list ") + each.list + " ";
+    const std::string facts = std::string(each.harmless) + " ";
+    const std::set<std::string> expected = {each.rule};
+    EXPECT_TRUE(clashes(list + facts).empty()) << each.list;
+    EXPECT_EQ(clashes(list + facts + each.clash), expected) << each.list;
+    // Whichever layer has what.
+    for (const rdf::View& stack :
+         {Over(Close(list + facts), each.clash), Over(Close(facts + each.clash), list)}) {
+      const auto& found = stack.layers().back()->clashes();
+      ASSERT_FALSE(found.empty()) << each.list;
+      EXPECT_EQ(found[0].rule, each.rule);
+    }
+  }
+}
+
 TEST_F(MaterialiseTest, ARingClosesIntoAllPairs) {
   const rdf::View view = Close(Ring(40) + ":p owl:inverseOf :q . :q a owl:TransitiveProperty .");
   EXPECT_EQ(view.Estimate({{}, lares::testing::TermOf(":p", *dictionary_), {}}), 1600U);

@@ -73,9 +73,14 @@ TEST_F(ContradictionTest, ARobotThatContradictsAStoredOntologysOwnTermsIsRefused
 }
 
 TEST_F(ContradictionTest, AMapThatContradictsIsRefusedAndTheEnvironmentIsNotMade) {
-  EXPECT_THROW(PutMap("flat", std::string(kPrefixes) + ":m a lares:SemanticEnvironmentMap .\n" +
-                                  kZoo + kBoth),
-               Refusal);
+  try {
+    PutMap("flat", std::string(kPrefixes) + ":m a lares:SemanticEnvironmentMap .\n" + kZoo + kBoth);
+    FAIL();
+  } catch (const Refusal& refusal) {
+    EXPECT_EQ(refusal.kind(), Refusal::Kind::kContradiction);
+    EXPECT_THAT(refusal.what(), HasSubstr("proof:"));
+    EXPECT_THAT(refusal.hint(), ::testing::Not(HasSubstr("--quarantine")));
+  }
   EXPECT_FALSE(store_->FindEnvironment("flat"));
 }
 
