@@ -34,6 +34,21 @@ struct Parameter {
 };
 std::string_view ToString(Parameter::Source source);
 
+// Something that may be so while a plan runs: "holding(…#cup1)" is {"holding", "…#cup1", true}.
+struct Fluent {
+  std::string name;      // a C identifier
+  std::string argument;  // a bound value, "*" for any (in effects that end something); may be empty
+  bool holds = true;     // else it is what must not be so, or no longer is
+  friend bool operator==(const Fluent&, const Fluent&) = default;
+};
+std::string ToText(const Fluent& fluent);  // "not holding(cup1)", long IRIs by their local names
+
+// What is so after a skill has ended with an outcome.
+struct Effect {
+  std::string outcome;
+  Fluent fluent;
+};
+
 struct State {
   std::string id;  // unique in the plan, [A-Za-z0-9_-]+, from the step's name: "check-if-found"
   std::string label;
@@ -45,8 +60,21 @@ struct State {
   std::vector<Parameter> inputs;
   std::map<std::string, std::string> outputs;  // template's output name → blackboard key
   std::vector<std::string> outcomes;  // "succeeded", "failed", "true", "false", "exhausted"
-  enum class Kind { kSkill, kEnd } kind = Kind::kSkill;
-  bool success = false;  // of an end
+  // kParallel runs its members side by side: "succeeded" when each has, "failed" as soon as one
+  // has, the others being stopped. Members are skill states that only it leads to: they have no
+  // transitions of their own.
+  enum class Kind { kSkill, kParallel, kEnd } kind = Kind::kSkill;
+  bool success = false;              // of an end
+  std::vector<std::string> members;  // of kParallel: ids
+  std::string parallel;              // of a member: the id of what runs it
+  int retries = 0;                   // further attempts while the outcome is "failed"
+  double time_limit_s = 0;           // of one attempt, which fails then; 0: none
+  // The template's own BehaviorTree.CPP decorators around the skill, "<Skill/>" standing for it;
+  // empty: made from retries and time_limit_s.
+  std::string tree_fragment;
+  std::vector<Resource> claims;  // kinds of parts that nothing else may use meanwhile
+  std::vector<Fluent> preconditions;
+  std::vector<Effect> effects;
 };
 
 struct Transition {
@@ -55,6 +83,17 @@ struct Transition {
   std::string to;
   bool added = false;  // not in the recipe: Lares added it
   std::string reason;  // why it was added
+};
+
+// A value that the recipe leaves to whoever asks for a plan.
+struct Setting {
+  std::string name;
+  std::string type;        // as of Parameter, and "class_list", "designator_list"
+  std::string unit;        // SI symbol, empty when it has none
+  std::string value;       // text form; lists are separated by spaces
+  std::string text;        // for people
+  bool is_default = true;  // nobody asked for another value
+  std::string was;         // text of the default that it overrides; empty without one
 };
 
 struct Plan {
@@ -67,6 +106,10 @@ struct Plan {
   std::vector<Transition> transitions;  // every outcome of every skill state has one
   std::vector<std::vector<std::string>> unordered;  // steps that the recipe leaves unordered
   std::vector<std::string> notes;                   // for people: what was added or assumed
+  std::vector<Setting> settings;    // the recipe's parameters and overridden constants, by name
+  std::vector<Fluent> assumptions;  // what must be so at the start
+  std::vector<std::string> done;    // ids of states that a plan made anew leaves out
+  std::vector<std::string> given;   // keys that those have created
   MatchReport match;
 };
 
@@ -81,7 +124,15 @@ struct PlanOptions {
   std::map<std::string, std::string> templates;  // step IRI → template IRI: answers to choices
   std::string environment;
   int environment_version = 0;
-  std::string environment_iri;  // individual or class of the place; empty when unknown
+  std::string environment_iri;      // individual or class of the place; empty when unknown
+  std::vector<std::string> layers;  // kinds of layers that the environment has: "octomap"
+  // Parameters of the recipe, or inputs of its skills: name → value as written.
+  std::map<std::string, std::string> set;
+  bool sequential = false;  // nothing side by side
+  // A plan made anew: where to go on (empty: where the first step that is not done begins) and
+  // which states are done already, by the ids of the plan that was.
+  std::string from;
+  std::vector<std::string> done;
 };
 
 // Either a plan, or why not: a match that is not feasible, choices to be made, or problems of the
