@@ -21,7 +21,7 @@ else
 fi
 
 say "A plan made for one robot"
-run plan object-search --robot scout --environment flat
+run plan ObjectSearch --object Cup --robot scout --environment flat
 
 say "What a robot without an arm is told"
 status=0

@@ -1,6 +1,5 @@
 :- module(bindings,
-          [ step_values/3,
-            local_name/2,
+          [ local_name/2,
             key_name/2,
             bind_inputs/5
           ]).
@@ -9,18 +8,21 @@
 :- use_module(rules(rdf_view)).
 :- use_module(rules(classes)).
 :- use_module(rules(recipes)).
+:- use_module(rules(parameters)).
 :- use_module(rules(templates)).
 :- use_module(rules(availability)).
 :- use_module(rules(bodies)).
 
 /** <module> Where the arguments of a skill come from
 
-A setting is setting{keys, robot, camera, environment, place}: `keys` a list of
-`key(Value, Name, Type, Producer)` for what the plan's steps create, the robot's context, its camera
-(see robot_camera/2) or `none`, the environment's id ('' without one) and its individual or class ('' when unknown).
+A setting is setting{keys, robot, camera, environment, place, settled, given, path, id, skill}: `keys` a
+list of `key(Value, Name, Type, Producer)` for what the plan's steps create, the robot's context, its
+camera (see robot_camera/2) or `none`, the environment's id ('' without one) and its individual or class
+('' when unknown), the recipe's parameters and what was asked for (parameters.pl), and the state that
+the arguments are for.
 
 A parameter is param{name, type, unit, source, origin, text, value} with value one of iri(Iri),
-text(Text), key(Name), matrices(List, Frame).
+text(Text), key(Name), matrices(List, Frame), iris(List).
 */
 
 :- rdf_meta
@@ -29,7 +31,8 @@ text(Text), key(Name), matrices(List, Frame).
 
 %!  bind_inputs(+Setting:dict, +Step, +Template, -Parameters:list, -Remarks:list) is det.
 %
-%   Remarks are `problem(Sentence)` and `note(Sentence)`.
+%   Remarks are `problem(Sentence)`, `note(Sentence)` and `used(Name, Parameter, Was)`: an input that
+%   was asked for by Name, and the parameter that it would have been or `none`.
 
 bind_inputs(Setting, Step, Template, Parameters, Remarks) :-
     template_inputs(Template, Inputs),
@@ -43,9 +46,22 @@ bind_each([Input|Inputs], Setting, Step, [Parameters|More], Remarks) :-
     append(Some, Others, Remarks).
 
 bind(Input, Setting, Step, Parameters, Remarks) :-
-    get_dict(sources, Input, Sources),
-    member(Source, Sources),
-    from(Source, Input, Setting, Step, Parameters, Remarks),
+    asked_for(Input, Setting, Given),
+    !,
+    get_dict(name, Given, Asked),
+    get_dict(type, Input, Type),
+    get_dict(unit, Input, Unit),
+    read_given(Given, Type, Unit, Value),
+    (   Value = problem(Problem)
+    ->  Parameters = [],
+        Remarks = [used(Asked, none, none), problem(Problem)]
+    ;   given_parameter(Value, '', Input, Setting, Step, Parameters, Remarks0),
+        Parameters = [Parameter|_],
+        ( bind_from_sources(Input, Setting, Step, [Was|_], _) -> true ; Was = none ),
+        Remarks = [used(Asked, Parameter, Was)|Remarks0]
+    ).
+bind(Input, Setting, Step, Parameters, Remarks) :-
+    bind_from_sources(Input, Setting, Step, Parameters, Remarks),
     !.
 bind(Input, Setting, Step, [], Remarks) :-
     get_dict(optional, Input, true),
@@ -58,6 +74,31 @@ bind(Input, _, Step, [], [problem(Sentence)]) :-
     join(Parts, Joined),
     append(["nothing says what '", Name, "' of ", name(Step), " is; looked at "|Joined], [],
            Sentence).
+
+bind_from_sources(Input, Setting, Step, Parameters, Remarks) :-
+    get_dict(sources, Input, Sources),
+    member(Source, Sources),
+    from(Source, Input, Setting, Step, Parameters, Remarks),
+    !.
+
+% "state.input", "Skill.input" or "input", the most exact of them.
+asked_for(Input, Setting, Given) :-
+    get_dict(name, Input, Name),
+    get_dict(given, Setting, All),
+    get_dict(id, Setting, Id),
+    get_dict(skill, Setting, Skill),
+    atomic_list_concat([Id, '.', Name], OfState),
+    atomic_list_concat([Skill, '.', Name], OfSkill),
+    member(Wanted, [OfState, OfSkill, Name]),
+    member(Given, All),
+    get_dict(name, Given, Wanted),
+    \+ declared(Setting, Wanted),
+    !.
+
+declared(Setting, Name) :-
+    get_dict(settled, Setting, Settled),
+    member(settled(_, _, One), Settled),
+    get_dict(name, One, Name).
 
 % Without an environment it is plain that nothing is said of it.
 unbound_notes(Input, Setting, _, []) :-
@@ -110,24 +151,6 @@ from(environment(place), Input, Setting, _, [Parameter], []) :-
 from(default(Text), Input, _, _, [Parameter], []) :-
     parameter(Input, template, '', [Text], text(Text), Parameter).
 
-%!  step_values(+Step, +Property, -Values:list) is det.
-%
-%   The values that the recipe gives Property in Step: the step's own ones, else the most specific
-%   inherited ones.
-
-step_values(Step, Property, Values) :-
-    findall(Value, own_restriction(Step, Property, _, Value), Own),
-    Own \== [],
-    !,
-    sort(Own, Values).
-step_values(Step, Property, Values) :-
-    findall(Value, restriction(Step, Property, _, Value), Found),
-    sort(Found, Sorted),
-    findall(Named, (member(Named, Sorted), named(Named)), Names),
-    most_specific(Names, Specific),
-    findall(Other, (member(Other, Sorted), \+ named(Other)), Others),
-    append(Specific, Others, Values).
-
 filled(none, Values, Named) :-
     !,
     findall(Value, (member(Value, Values), ( named(Value) -> true ; Value = literal(_, _, _) )),
@@ -147,6 +170,13 @@ others_note(_, Input, Step, Value, [note([name(Step), " says several things for 
     get_dict(name, Input, Name),
     ( Value = literal(Shown, _, _) -> true ; Shown = label(Value) ).
 
+recipe_value(Value, Input, Setting, Step, Parameters, Remarks) :-
+    placeholder(Value),
+    !,
+    get_dict(settled, Setting, Settled),
+    get_dict(path, Setting, Path),
+    placeholder_value(Settled, Path, Value, Settlement),
+    given_parameter(Settlement, Value, Input, Setting, Step, Parameters, Remarks).
 recipe_value(literal(Text, Datatype, _), Input, _, Step, Parameters, Remarks) :-
     !,
     (   get_dict(type, Input, number),
@@ -179,6 +209,30 @@ recipe_value(Value, Input, Setting, _, Parameters, Remarks) :-
 recipe_value(Value, Input, Setting, Step, [Parameter], Remarks) :-
     parameter(Input, recipe, Value, [label(Value)], iri(Value), Parameter),
     place_notes(Value, Setting, Step, Remarks).
+
+% What was asked for, or what a nesting step or the recipe itself says in a parameter's place.
+given_parameter(stated(Value), _, Input, Setting, Step, Parameters, Remarks) :-
+    recipe_value(Value, Input, Setting, Step, Parameters, Remarks).
+given_parameter(class(Class), _, Input, Setting, Step, [Parameter], Remarks) :-
+    parameter(Input, request, Class, [label(Class)], iri(Class), Parameter),
+    place_notes(Class, Setting, Step, Remarks).
+given_parameter(text(Text), Origin, Input, _, _, [Parameter], []) :-
+    parameter(Input, request, Origin, [Text], text(Text), Parameter).
+given_parameter(pose(Pose), Origin, Input, _, _, [Parameter], []) :-
+    parameter(Input, request, Origin, ["a pose that was asked for"], pose(Pose, map), Parameter0),
+    put_dict(type, Parameter0, pose, Parameter).
+given_parameter(thing(Thing), _, Input, Setting, _, [Parameter|Reference], []) :-
+    parameter(Input, request, Thing, [label(Thing)], iri(Thing), Parameter0),
+    put_dict(type, Parameter0, designator, Parameter),
+    reference_pose(Thing, Input, Setting, Reference).
+given_parameter(items(Texts, Iris), Origin, Input, _, _, [Parameter], []) :-
+    named_items(Iris, Texts, Names),
+    parameter(Input, request, Origin, Names, iris(Iris), Parameter).
+
+named_items([], [], []).
+named_items([Iri|Iris], [Text|Texts], Names) :-
+    ( Iri == Text -> Name = Text ; Name = label(Iri) ),
+    ( Iris == [] -> Names = [Name] ; Names = [Name, ", "|Rest], named_items(Iris, Texts, Rest) ).
 
 type_remarks(Input, Type, _, _, []) :-
     get_dict(type, Input, Wanted),

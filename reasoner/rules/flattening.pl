@@ -1,5 +1,6 @@
 :- module(flattening,
           [ flatten_task/2,
+            ends_in_failure/3,
             exit_of_loop/4
           ]).
 :- use_module(library(lists)).
@@ -33,7 +34,8 @@ flatten_task(Task, flat{nodes:Nodes, edges:Edges, entry:Entry, exits:Exits, unor
     expand(Task, [], Entry, Exits, Paths, Edges, Unordered, Levels),
     identify(Paths, Nodes).
 
-expand(Task, Above, Entry, Exits, Paths, Edges, Unordered, [level(Above, Moves, Ends, Inner)|Levels]) :-
+expand(Step, Above, Entry, Exits, Paths, Edges, Unordered, [level(Above, Moves, Ends, Inner)|Levels]) :-
+    task_of(Step, Task),
     structure(Task, Structure),
     moves(Structure, Start, Ends, Moves, Unordered0),
     get_dict(steps, Structure, Steps),
@@ -60,7 +62,7 @@ edge_cause(Cause, _, Cause).
 expand_steps([], _, [], [], [], [], []).
 expand_steps([Step|Steps], Above, [inner(Step, Entry, Exits)|Inner], Paths, Edges, Unordered,
              Levels) :-
-    (   task(Step)
+    (   task_of(Step, _)
     ->  expand(Step, [Step|Above], Entry, Exits, Some, SomeEdges, SomeUnordered, SomeLevels)
     ;   Entry = [Step|Above],
         Exits = [Entry],
@@ -131,6 +133,16 @@ id_code(Code, Code) :-
     !.
 id_code(_, 0'-).
 
+%!  ends_in_failure(+Flat:dict, +Path, +Cause) is semidet.
+%
+%   The recipe itself says that the task has failed when the step at Path ends with Cause.
+
+ends_in_failure(Flat, [Step|Above], Cause) :-
+    get_dict(levels, Flat, Levels),
+    memberchk(level(Above, Moves, _, _), Levels),
+    rdf_equal(Failed, lares:'TaskFailed'),
+    memberchk(move(Step, Cause, Failed), Moves).
+
 %!  exit_of_loop(+Flat:dict, +Path, -Target, -Reason:string) is det.
 %
 %   Where to go when the skill at Path has run out of things to do: out of the innermost loop it
@@ -164,6 +176,7 @@ leave(Loop, Moves, _, Inner, _, _, node(Entry),
             ( member(move(From, Cause, To), Moves),
               memberchk(From, Loop),
               \+ memberchk(To, Loop),
+              memberchk(inner(To, _, _), Inner),
               preference(Cause, Rank) ),
             Exits),
     sort(Exits, [_-To|_]),

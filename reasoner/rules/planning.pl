@@ -5,6 +5,7 @@
 :- use_module(rules(rdf_view)).
 :- use_module(rules(recipes)).
 :- use_module(rules(recipe_checks)).
+:- use_module(rules(parameters)).
 :- use_module(rules(templates)).
 :- use_module(rules(matching)).
 :- use_module(rules(bindings)).
@@ -15,7 +16,7 @@
 
     plan(Task, Robot, Options, Place, Result)
 
-Result is plan{start, states, transitions, unordered, notes} or failed{choices, problems}. The
+Result is plan{start, states, transitions, unordered, notes, settings} or failed{choices, problems}. The
 recipe is made flat (flattening.pl), each step gets a skill template (templates.pl), its arguments
 (bindings.pl) and a way on for every outcome (here).
 */
@@ -24,14 +25,14 @@ recipe is made flat (flattening.pl), each step gets a skill template (templates.
 
 %!  plan(+Task, +Robot, +Options:dict, +Place, -Result:dict) is det.
 %
-%   Options is _{strict, answers, environment}: `answers` lists Step-Template; Place is the
-%   environment's individual or class, or ''.
+%   Options is _{strict, answers, environment, layers, given}: `answers` lists Step-Template, `given`
+%   what was asked for (parameters.pl); Place is the environment's individual or class, or ''.
 
 plan(Task, _, _, _, failed{choices:[], problems:Problems}) :-
     all_steps(Task, Steps),
     findall(Problem,
-            ( member(Step, Steps), ( Step == Task -> true ; task(Step) ),
-              task_problems(none, Step, Some), member(Problem, Some) ),
+            ( member(Step, Steps), ( Step == Task -> Described = Step ; task_of(Step, Described) ),
+              task_problems(none, Described, Some), member(Problem, Some) ),
             Found),
     Found \== [],
     !,
@@ -39,25 +40,47 @@ plan(Task, _, _, _, failed{choices:[], problems:Problems}) :-
 plan(Task, Robot, Options, Place, Result) :-
     get_dict(strict, Options, Strict),
     get_dict(answers, Options, Answers),
-    get_dict(environment, Options, Environment),
+    get_dict(layers, Options, Layers),
+    get_dict(given, Options, Given),
     findall(Claim, claims(Robot, Claim), Claims0),
     sort(Claims0, Claims),
     Context = context(Robot, Claims, Strict),
     flatten_task(Task, Flat),
-    chosen_templates(Flat, Context, Answers, Chosen, Choices, Problems),
+    chosen_templates(Flat, here(Context, Place, Layers), Answers, Chosen, Choices, Unserved),
+    settle(Task, Given, Settled, Unsettled),
+    append(Unserved, Unsettled, Problems),
     (   Choices == [], Problems == []
     ->  keys(Chosen, Keys),
         ( robot_camera(Robot, Camera) -> true ; Camera = none ),
+        get_dict(environment, Options, Environment),
         Setting = setting{keys:Keys, robot:Context, camera:Camera, environment:Environment,
-                          place:Place},
-        states(Chosen, Setting, States, Remarks),
-        finish(Flat, Chosen, States, Remarks, Result)
+                          place:Place, settled:Settled, given:Given},
+        states(Chosen, Setting, States, Remarks0),
+        unused(Given, Settled, States, Remarks0, Unused),
+        append(Unused, Remarks0, Remarks),
+        finish(Flat, Chosen, States, Remarks, Settled, Result)
     ;   Result = failed{choices:Choices, problems:Problems}
     ).
 
+unused(Given, Settled, States, Remarks, Unused) :-
+    findall(Name, member(used(Name, _, _), Remarks), Used),
+    unknown_settings(Given, Settled, Used, Names),
+    findall(Name, ( member(settled(_, _, Setting), Settled), get_dict(name, Setting, Name)
+                  ; member(State, States), get_dict(inputs, State, Inputs), member(Input, Inputs),
+                    get_dict(name, Input, Name) ), Known0),
+    sort(Known0, Known),
+    comma_list(Known, List),
+    findall(problem(["'", Name, "' is no parameter of this recipe and no input of its skills; there are "|
+                     List]),
+            member(Name, Names), Unused).
+
+comma_list([], ["none"]) :- !.
+comma_list([One], [One]) :- !.
+comma_list([One|More], [One, ", "|Rest]) :- comma_list(More, Rest).
+
 % -- templates --
 
-chosen_templates(Flat, Context, Answers, Chosen, Choices, Problems) :-
+chosen_templates(Flat, here(Context, Place, Layers), Answers, Chosen, Choices, Problems) :-
     get_dict(nodes, Flat, Nodes),
     findall(Step, member(node([Step|_], _), Nodes), Steps),
     findall(Node-Choice,
@@ -65,7 +88,8 @@ chosen_templates(Flat, Context, Answers, Chosen, Choices, Problems) :-
               Node = node([Step|Above], _),
               causes(Flat, [Step|Above], Causes),
               given_classes(Step, Steps, Given),
-              choose_template(situation{step:Step, causes:Causes, given:Given, robot:Context},
+              choose_template(situation{step:Step, causes:Causes, given:Given, robot:Context,
+                                        place:Place, layers:Layers},
                               Answers, Choice) ),
             All),
     findall(chosen(Path, Id, Template, Action, Distance),
@@ -131,21 +155,23 @@ states([chosen([Step|Above], Id, Template, Action, Distance)|More], Setting, [St
             ( output_value(Step, Template, Output, _, Value),
               once(member(key(Value, Key, _, _), Keys)) ),
             Outputs),
-    bind_inputs(Setting, Step, Template, Inputs, Some),
+    put_dict(_{path:[Step|Above], id:Id, skill:Skill}, Setting, Here),
+    bind_inputs(Here, Step, Template, Inputs, Some),
+    template_manner(Template, Manner),
     State = state{path:[Step|Above], id:Id, step:Step, action:Action, skill:Skill,
                   template:Template, distance:Distance, inputs:Inputs, outputs:Outputs,
-                  outcomes:Names},
+                  outcomes:Names, manner:Manner},
     states(More, Setting, States, Others),
     append(Some, Others, Remarks).
 
-finish(_, _, _, Remarks, failed{choices:[], problems:Problems}) :-
+finish(_, _, _, Remarks, _, failed{choices:[], problems:Problems}) :-
     findall(Problem, member(problem(Problem), Remarks), Found),
     Found \== [],
     !,
     list_to_set(Found, Problems).
-finish(Flat, Chosen, States, Remarks,
+finish(Flat, Chosen, States, Remarks, Settled,
        plan{start:Start, states:Ordered, ends:Ends, transitions:Transitions, unordered:Unordered,
-            notes:Notes}) :-
+            notes:Notes, settings:Settings, overridden:Overridden}) :-
     findall(Transition,
             ( member(chosen(Path, Id, Template, _, _), Chosen),
               template_outcomes(Template, Outcomes),
@@ -171,7 +197,29 @@ finish(Flat, Chosen, States, Remarks,
     get_dict(unordered, Flat, Unordered),
     findall(Note, (member(note(Note), Remarks) ; structure_note(Flat, Note)
                   ; added_note(Transitions, Note) ; nothing_found_note(Transitions, Note)), Notes0),
-    list_to_set(Notes0, Notes).
+    list_to_set(Notes0, Notes),
+    findall(Set, (member(settled(_, Value, One), Settled), setting_text(Value, One, Set)), Settings),
+    findall(overridden(Name, Parameter, Was), member(used(Name, Parameter, Was), Remarks),
+            Overridden).
+
+setting_text(Value, One, set{name:Name, type:Type, unit:Unit, default:Default, value:Text,
+                             text:Sentence}) :-
+    get_dict(name, One, Name),
+    get_dict(type, One, Type),
+    get_dict(unit, One, Unit),
+    get_dict(default, One, Default),
+    value_text(Value, Text, Sentence).
+
+value_text(class(Iri), Iri, [label(Iri)]).
+value_text(thing(Iri), Iri, [label(Iri)]).
+value_text(text(Text), Text, [Text]).
+value_text(pose(Pose), Pose, [Pose]).
+value_text(items(_, Iris), Text, Sentence) :-
+    atomic_list_concat(Iris, ' ', Text),
+    findall(label(Iri), member(Iri, Iris), Labels),
+    comma_list(Labels, Sentence).
+value_text(stated(literal(Text, _, _)), Text, [Text]) :- !.
+value_text(stated(Iri), Iri, [label(Iri)]).
 
 % Breadth first along the transitions, ends included.
 reached([], _, Seen, Reached) :-
@@ -235,6 +283,10 @@ plain_names([One|More], [One, " → "|Rest]) :- plain_names(More, Rest).
 
 % -- the way on from an outcome --
 
+way_on(Flat, Path, _, Result, end(failed), false, "") :-
+    Result \== none,
+    ends_in_failure(Flat, Path, Result),
+    !.
 way_on(Flat, Path, _, Result, Target, false, "") :-
     Result \== none,
     edge_to(Flat, Path, Result, Target),

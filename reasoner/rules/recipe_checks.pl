@@ -14,6 +14,7 @@
 :- use_module(rules(rdf_view)).
 :- use_module(rules(classes)).
 :- use_module(rules(recipes)).
+:- use_module(rules(parameters)).
 :- use_module(rules(templates)).
 
 /** <module> What is wrong with a recipe
@@ -25,15 +26,15 @@ Each problem makes a recipe unusable and is one sentence that names the things c
 
 %!  tasks(+Graph, -Tasks:list) is det.
 %
-%   `task{task, top_level, state_machine, steps, problems, warnings}` for each task of the document.
+%   `task{task, top_level, state_machine, steps, parameters, problems, warnings}` for each task of the document.
 
 tasks(Graph, Tasks) :-
     task_in(Graph, Classes),
     findall(Task, (member(Class, Classes), described(Graph, Classes, Class, Task)), Tasks).
 
 described(Graph, Classes, Class,
-          task{task:Class, top_level:Top, state_machine:Machine, steps:Steps, problems:Problems,
-               warnings:Warnings}) :-
+          task{task:Class, top_level:Top, state_machine:Machine, steps:Steps,
+               parameters:Parameters, problems:Problems, warnings:Warnings}) :-
     structure(Class, Structure),
     get_dict(steps, Structure, Steps),
     (   member(Other, Classes), Other \== Class, all_steps(Other, Inner), memberchk(Class, Inner)
@@ -41,8 +42,22 @@ described(Graph, Classes, Class,
     ;   Top = true
     ),
     ( get_dict(kind, Structure, state_machine) -> Machine = true ; Machine = false ),
+    declared_parameters(Class, Parameters),
     task_problems(Graph, Class, Problems),
     task_warnings(Structure, Warnings).
+
+declared_parameters(Class, Parameters) :-
+    task_parameters(Class, Found),
+    findall(Parameter,
+            ( member(One, Found),
+              get_dict(default, One, Default),
+              default_text(Default, Text),
+              put_dict(default_text, One, Text, Parameter) ),
+            Parameters).
+
+default_text(none, "") :- !.
+default_text(literal(Text, _, _), [Text]) :- !.
+default_text(Iri, [label(Iri)]).
 
 %!  task_problems(+Graph, +Task, -Problems:list) is det.
 %
@@ -56,8 +71,11 @@ task_problems(Graph, Task, Problems) :-
 problem(_, Task, Structure, [name(Task), " has no steps"]) :-
     get_dict(steps, Structure, []).
 problem(_, Task, _, [name(Task), " is among its own sub-actions: it would never end"]) :-
-    findall(Step, (own_step(Task, Direct), all_steps(Direct, Steps), member(Step, Steps)), Below),
-    memberchk(Task, Below).
+    own_step(Task, Direct),
+    all_steps(Direct, Steps),
+    member(Step, Steps),
+    ( Step == Task ; task_of(Step, Task) ),
+    !.
 problem(Graph, _, Structure, [name(Step), " is of an unknown kind: no class above it is an action that \c
 the catalogue knows (a recipe cannot use a task of another document as a step)"]) :-
     get_dict(steps, Structure, Steps),
@@ -235,7 +253,8 @@ machine_problem(Task, Structure, ["transition ", name(Id), " ", Verb, " ", name(
     ;   State = To, Verb = "leads to"
     ),
     State \== none,
-    \+ memberchk(State, Steps).
+    \+ memberchk(State, Steps),
+    \+ ( State == To, rdf_equal(To, lares:'TaskFailed') ).
 machine_problem(_, Structure, ["on ", name(Cause), ", ", name(From), " leads both to ", name(A),
                                " and to ", name(B)]) :-
     get_dict(transitions, Structure, Moves),
@@ -305,7 +324,7 @@ always_leads_on(Structure, State) :-
     get_dict(transitions, Structure, Moves),
     findall(Cause, (member(move(State, Cause, _, _), Moves), Cause \== none), Causes),
     Causes \== [],
-    (   task(State)
+    (   task_of(State, _)
     ->  ends_with_every([completed], Causes)
     ;   get_dict(steps, Structure, Steps),
         given_classes(State, Steps, Given),

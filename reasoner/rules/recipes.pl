@@ -1,10 +1,12 @@
 :- module(recipes,
           [ task/1,
             task_in/2,
+            task_of/2,
             own_restriction/4,
             own_step/2,
             structure/2,
-            all_steps/2
+            all_steps/2,
+            step_values/3
           ]).
 :- use_module(library(lists)).
 :- use_module(rules(prefixes)).
@@ -37,6 +39,26 @@ orders `before(A, B, Id)`, likewise.
 task(Class) :-
     own_restriction(Class, Property, _, _),
     task_property(Property),
+    !.
+
+%!  task_of(+Step, -Task) is semidet.
+%
+%   Whose steps Step consists of: its own, or those of the most specific recipe above it, unless a
+%   skill does it as a whole. Of several recipes the first by IRI.
+
+task_of(Step, Task) :-
+    task(Step),
+    !,
+    Task = Step.
+task_of(Step, Task) :-
+    named_supers(Step, Supers),
+    findall(Super, (member(Super, Supers), task(Super), \+ done_as_a_whole(Step, Super)), Found),
+    most_specific(Found, [Task|_]).
+
+done_as_a_whole(Step, Task) :-
+    rdf_asserted(_, lares:forAction, Action),
+    subclass(Action, Task),
+    subclass(Step, Action),
     !.
 
 task_property(Property) :- rdf_equal(Property, lares:subAction).
@@ -158,6 +180,25 @@ closure([Step|Rest], Seen, Steps) :-
     !,
     closure(Rest, Seen, Steps).
 closure([Step|Rest], Seen, Steps) :-
-    own_values(Step, lares:subAction, Inner),
+    ( task_of(Step, Task) -> true ; Task = Step ),
+    own_values(Task, lares:subAction, Inner),
     append(Inner, Rest, Open),
     closure(Open, [Step|Seen], Steps).
+
+%!  step_values(+Step, +Property, -Values:list) is det.
+%
+%   The values that the recipe gives Property in Step: the step's own ones, else the most specific
+%   inherited ones.
+
+step_values(Step, Property, Values) :-
+    findall(Value, own_restriction(Step, Property, _, Value), Own),
+    Own \== [],
+    !,
+    sort(Own, Values).
+step_values(Step, Property, Values) :-
+    findall(Value, restriction(Step, Property, _, Value), Found),
+    sort(Found, Sorted),
+    findall(Named, (member(Named, Sorted), named(Named)), Names),
+    most_specific(Names, Specific),
+    findall(Other, (member(Other, Sorted), \+ named(Other)), Others),
+    append(Specific, Others, Values).

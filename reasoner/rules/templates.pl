@@ -7,7 +7,8 @@
             template_skill/2,
             template_outcomes/2,
             template_inputs/2,
-            template_outputs/2
+            template_outputs/2,
+            template_manner/2
           ]).
 :- use_module(library(lists)).
 :- use_module(rules(prefixes)).
@@ -25,7 +26,8 @@ action class when its conditions hold:
   - `appliesWithOutputOf C`: the step is given what a step below C creates; `notWithOutputOf C`: it
     is not;
   - `appliesWithProperty P`, `notWithProperty P`: the step says, or does not say, P;
-  - `needsComponent C`, `needsCapability C`: the robot has it.
+  - `needsComponent C`, `needsCapability C`: the robot has it; `notWithComponent C`: it has not;
+  - `appliesInPlace C`, `notInPlace C`, `needsLayer L`: of the environment.
 
 Of those that apply, the one whose action is nearest to the step (Rada distance) is taken.
 */
@@ -36,8 +38,9 @@ Of those that apply, the one whose action is nearest to the step (Rada distance)
 
 %!  choose_template(+Situation:dict, +Answers:list, -Choice) is det.
 %
-%   Situation is situation{step, causes, given, robot} with the results that the recipe leads on,
-%   the classes of the steps whose outputs the step is given, and the robot's context or `none`. Choice is
+%   Situation is situation{step, causes, given, robot, place, layers} with the results that the recipe
+%   leads on, the classes of the steps whose outputs the step is given, the robot's context or `none`
+%   (with which the environment's place and layers are not looked at either). Choice is
 %   chosen(Template, Action, Distance), tie(Templates), none(Sentence).
 
 choose_template(Situation, Answers, Choice) :-
@@ -118,8 +121,25 @@ applies(Template, Situation) :-
     \+ ( rdf_asserted(Template, lares:notWithProperty, Property), says(Step, Property) ),
     \+ ( Robot \== none, rdf_asserted(Template, lares:needsComponent, Class),
          \+ robot_has(Robot, Class) ),
+    \+ ( Robot \== none, rdf_asserted(Template, lares:notWithComponent, Class),
+         robot_has(Robot, Class) ),
+    ( Robot == none -> true ; fits_environment(Template, Situation) ),
     \+ ( Robot \== none, rdf_asserted(Template, lares:needsCapability, Class),
          \+ robot_can(Robot, Class) ).
+
+fits_environment(Template, Situation) :-
+    get_dict(place, Situation, Place),
+    get_dict(layers, Situation, Layers),
+    \+ ( rdf_asserted(Template, lares:appliesInPlace, Class), \+ in_place(Place, Class) ),
+    \+ ( rdf_asserted(Template, lares:notInPlace, Class), in_place(Place, Class) ),
+    \+ ( rdf_asserted(Template, lares:needsLayer, literal(Text, _, _)),
+         to_atom(Text, Layer), \+ memberchk(Layer, Layers) ).
+
+%   Place is an individual or a class, '' without one.
+in_place(Place, Class) :-
+    Place \== '',
+    ( subclass(Place, Class) -> true ; rdf(Place, rdf:type, Class) ),
+    !.
 
 robot_has(context(Robot, _, _), Class) :-
     has_component(Robot, Class).
@@ -258,6 +278,27 @@ template_outputs(Template, Outputs) :-
               rdf_asserted(Node, lares:keyProperty, Property) ),
             Found),
     sort(Found, Outputs).
+
+%!  template_manner(+Template, -Manner:dict) is det.
+%
+%   `manner{retries, time_limit, fragment, claims, preconditions, effects}`: texts as written ('' for
+%   none), classes of parts, texts, and `effect(Outcome, Text)`.
+
+template_manner(Template, manner{retries:Retries, time_limit:Limit, fragment:Fragment,
+                                 claims:Claims, preconditions:Preconditions, effects:Effects}) :-
+    first_text(Template, lares:retryCount, '', Retries),
+    first_text(Template, lares:timeLimit_s, '', Limit),
+    first_text(Template, lares:treeFragment, '', Fragment),
+    findall(Part, (rdf_asserted(Template, lares:claims, Part), atom(Part)), Parts),
+    sort(Parts, Claims),
+    findall(Text, text_of(Template, lares:precondition, Text), Texts),
+    sort(Texts, Preconditions),
+    findall(effect(Outcome, Text),
+            ( rdf_asserted(Template, lares:skillOutcome, Node),
+              text_of(Node, lares:outcomeName, Outcome),
+              text_of(Node, lares:effect, Text) ),
+            Found),
+    sort(Found, Effects).
 
 text_of(Node, Property, Text) :-
     rdf_asserted(Node, Property, literal(Text0, _, _)),

@@ -57,9 +57,10 @@ void CheckTransitions(const Plan& plan, Violations& found) {
     ++counts[{transition.from, transition.outcome}];
   }
   for (const State& state : plan.states) {
-    if (state.kind == State::Kind::kSkill && state.outcomes.empty()) {
+    if (state.kind != State::Kind::kEnd && state.outcomes.empty()) {
       found.push_back(Quoted(state.id) + " has no outcomes");
     }
+    if (!state.parallel.empty()) continue;
     for (const std::string& outcome : state.outcomes) {
       const int count = counts[{state.id, outcome}];
       if (count == 0) {
@@ -70,6 +71,45 @@ void CheckTransitions(const Plan& plan, Violations& found) {
                         " leads to several states");
       }
     }
+  }
+}
+
+void CheckMember(const Plan& plan, const State& parallel, const std::string& id,
+                 Violations& found) {
+  const State* member = FindState(plan, id);
+  const std::string what = Quoted(id) + ", which " + Quoted(parallel.id) + " runs,";
+  if (member == nullptr) return found.push_back(what + " is no state of the plan");
+  if (member->kind != State::Kind::kSkill) return found.push_back(what + " is no skill");
+  if (member->parallel != parallel.id) found.push_back(what + " does not say so");
+  for (const std::string& outcome : member->outcomes) {
+    if (outcome != "succeeded" && outcome != "failed") {
+      found.push_back(what + " may end as " + Quoted(outcome));
+    }
+  }
+  for (const Transition& transition : plan.transitions) {
+    if (transition.from == id || transition.to == id) {
+      found.push_back(what + " is also on a way of its own, from " + Quoted(transition.from));
+    }
+  }
+}
+
+void CheckParallels(const Plan& plan, Violations& found) {
+  for (const State& state : plan.states) {
+    if (!state.parallel.empty()) {
+      const State* parallel = FindState(plan, state.parallel);
+      const bool is_listed = parallel != nullptr && parallel->kind == State::Kind::kParallel &&
+                             std::find(parallel->members.begin(), parallel->members.end(),
+                                       state.id) != parallel->members.end();
+      if (!is_listed) {
+        found.push_back(Quoted(state.id) + " is to be run by " + Quoted(state.parallel) +
+                        ", which does not");
+      }
+    }
+    if (state.kind != State::Kind::kParallel) continue;
+    if (state.members.size() < 2) {
+      found.push_back(Quoted(state.id) + " runs fewer than two states side by side");
+    }
+    for (const std::string& id : state.members) CheckMember(plan, state, id, found);
   }
 }
 
@@ -104,6 +144,7 @@ void CheckReachability(const Plan& plan, const Ways& ways, Violations& found) {
   const std::set<std::string> reached = ReachableFrom(ways, plan.start);
   const Ways intended = IntendedWays(plan);
   for (const State& state : plan.states) {
+    if (!state.parallel.empty()) continue;  // as its parallel is
     if (reached.count(state.id) == 0) {
       found.push_back("the state " + Quoted(state.id) + " cannot be reached from the start");
     }
@@ -116,31 +157,35 @@ void CheckReachability(const Plan& plan, const Ways& ways, Violations& found) {
   }
 }
 
-bool Creates(const State& state, const std::string& key) {
+bool Creates(const Plan& plan, const State& state, const std::string& key) {
+  for (const std::string& id : state.members) {
+    const State* member = FindState(plan, id);
+    if (member != nullptr && member->members.empty() && Creates(plan, *member, key)) return true;
+  }
   return std::any_of(state.outputs.begin(), state.outputs.end(),
                      [&](const auto& output) { return output.second == key; });
 }
 
 // The states on a shortest path from the start to `user` on which nothing creates `key` before it
 // is used; empty when there is none. A step that failed has created nothing.
-std::vector<std::string> PathWithout(const Plan& plan, const Ways& ways, const State& user,
+std::vector<std::string> PathWithout(const Plan& plan, const Ways& ways, const std::string& user,
                                      const std::string& key) {
   std::map<std::string, std::string> before{{plan.start, ""}};
   std::deque<std::string> open{plan.start};
-  while (!open.empty() && before.count(user.id) == 0) {
+  while (!open.empty() && before.count(user) == 0) {
     const std::string id = std::move(open.front());
     open.pop_front();
     const State* state = FindState(plan, id);
     const auto from = ways.find(id);
     if (state == nullptr || from == ways.end()) continue;
     for (const auto& [outcome, to] : from->second) {
-      if (outcome != "failed" && Creates(*state, key)) continue;
+      if (outcome != "failed" && Creates(plan, *state, key)) continue;
       if (before.emplace(to, id).second) open.push_back(to);
     }
   }
   std::vector<std::string> path;
-  if (before.count(user.id) == 0) return path;
-  for (std::string id = user.id; !id.empty(); id = before.at(id)) path.push_back(id);
+  if (before.count(user) == 0) return path;
+  for (std::string id = user; !id.empty(); id = before.at(id)) path.push_back(id);
   std::reverse(path.begin(), path.end());
   return path;
 }
@@ -151,8 +196,9 @@ void CheckParameter(const Plan& plan, const Ways& ways, const State& state,
   if (!IsCIdentifier(parameter.name) || parameter.name == "name" || parameter.name == "ID") {
     found.push_back(what + " has a name that behaviour trees cannot use");
   }
-  static const std::set<std::string> kTypes = {"pose",   "pose_list", "class",  "designator",
-                                               "string", "number",    "boolean"};
+  static const std::set<std::string> kTypes = {"pose",       "pose_list",  "class",
+                                               "class_list", "designator", "designator_list",
+                                               "string",     "number",     "boolean"};
   if (kTypes.count(parameter.type) == 0) {
     found.push_back(what + " has the unknown type " + Quoted(parameter.type));
   }
@@ -162,7 +208,11 @@ void CheckParameter(const Plan& plan, const Ways& ways, const State& state,
     if (!key.empty()) found.push_back(what + " has a value written like a key, " + parameter.value);
   } else if (key.empty()) {
     found.push_back(what + " comes from another step but names no key");
-  } else if (const auto path = PathWithout(plan, ways, state, key); !path.empty()) {
+  } else if (std::find(plan.given.begin(), plan.given.end(), key) != plan.given.end()) {
+    return;
+  } else if (const auto path =
+                 PathWithout(plan, ways, state.parallel.empty() ? state.id : state.parallel, key);
+             !path.empty()) {
     found.push_back(what + " uses " + Quoted(key) + ", which no step creates on the way " +
                     Join(path, " → "));
   }
@@ -174,6 +224,7 @@ void CheckSkills(const Plan& plan, const Ways& ways, Violations& found) {
       if (!state.outcomes.empty()) found.push_back("the end " + Quoted(state.id) + " leads on");
       continue;
     }
+    if (state.kind == State::Kind::kParallel) continue;
     if (!IsCIdentifier(state.skill)) {
       found.push_back(Quoted(state.id) +
                       " has no skill that can be called: " + Quoted(state.skill));
@@ -202,6 +253,7 @@ std::vector<std::string> CheckPlan(const Plan& plan) {
   const Ways ways = WaysOf(plan);
   CheckIds(plan, found);
   CheckTransitions(plan, found);
+  CheckParallels(plan, found);
   CheckReachability(plan, ways, found);
   CheckSkills(plan, ways, found);
   return found;

@@ -67,6 +67,13 @@ void SetValue(const rdf::View& view, const prolog::Compound& value, Parameter& p
     }
     parameter.value = PoseText(frame_from_pose);
     parameter.frame = value.arguments.at(1).text();
+  } else if (value.name == "pose") {
+    parameter.value = value.arguments.at(0).text();
+    parameter.frame = value.arguments.at(1).text();
+  } else if (value.name == "iris") {
+    std::vector<std::string> iris;
+    for (const Value& iri : value.arguments.at(0).list()) iris.push_back(iri.text());
+    parameter.value = Join(iris, " ");
   } else if (value.name == "key") {
     parameter.value = "{" + value.arguments.at(0).text() + "}";
   } else {
@@ -79,6 +86,7 @@ Parameter::Source ToSource(const std::string& name) {
   if (name == "environment") return Parameter::Source::kEnvironment;
   if (name == "template") return Parameter::Source::kTemplate;
   if (name == "step") return Parameter::Source::kStep;
+  if (name == "request") return Parameter::Source::kRequest;
   return Parameter::Source::kRecipe;
 }
 
@@ -96,6 +104,8 @@ std::string_view ToString(Parameter::Source source) {
       return "template";
     case Parameter::Source::kStep:
       return "step";
+    case Parameter::Source::kRequest:
+      return "request";
   }
   return "recipe";
 }

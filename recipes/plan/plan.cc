@@ -1,9 +1,18 @@
 #include "recipes/plan/plan.h"
 
+#include <algorithm>
+
 #include "base/error.h"
+#include "base/number.h"
 #include "base/text.h"
+#include "ontology/rdf/vocabulary.h"
 #include "recipes/naming.h"
+#include "recipes/plan/conditions.h"
+#include "recipes/plan/parallel.h"
 #include "recipes/plan/parameters.h"
+#include "recipes/plan/request.h"
+#include "recipes/plan/resume.h"
+#include "recipes/plan/shape.h"
 
 namespace lares::recipes {
 
@@ -15,7 +24,13 @@ using prolog::Value;
 Value Boolean(bool value) { return Value{Atom{value ? "true" : "false"}}; }
 bool IsTrue(const Value& value) { return value.text() == "true"; }
 
-Value PlanningOptions(const PlanOptions& options) {
+Value Texts(const std::vector<std::string>& texts) {
+  prolog::List list;
+  for (const std::string& text : texts) list.push_back(Value{Atom{text}});
+  return Value{std::move(list)};
+}
+
+Value PlanningOptions(const rdf::View& view, const PlanOptions& options) {
   prolog::List answers;
   for (const auto& [step, skill_template] : options.templates) {
     answers.push_back(
@@ -23,7 +38,39 @@ Value PlanningOptions(const PlanOptions& options) {
   }
   return Value{prolog::Dict{{"strict", Boolean(options.strict)},
                             {"answers", Value{std::move(answers)}},
-                            {"environment", Value{Atom{options.environment}}}}};
+                            {"environment", Value{Atom{options.environment}}},
+                            {"layers", Texts(options.layers)},
+                            {"given", ToGiven(view, options.set)}}};
+}
+
+// A template that stands in the catalogue was checked when it was put: what cannot be read there is
+// a fault of it, and told as one.
+double NumberFrom(const std::string& text, double largest, const std::string& what) {
+  if (text.empty()) return 0;
+  const auto number = ToNumber(text);
+  if (number && *number >= 0 && *number <= largest) return *number;
+  throw Error(Code::kInvalid, what + " of its skill template is '" + text + "'");
+}
+
+Fluent ToFluent(const std::string& text, const State& state) {
+  const auto fluent = ParseFluent(text);
+  if (!fluent) throw Error(Code::kInvalid, "its skill template's condition '" + text + "'");
+  return Ground(*fluent, state);
+}
+
+void ReadManner(const rdf::View& view, const Value& manner, State& state) {
+  state.retries =
+      static_cast<int>(NumberFrom(manner.at("retries").text(), kMaxRetries, "retryCount"));
+  state.time_limit_s = NumberFrom(manner.at("time_limit").text(), kMaxTimeLimit_s, "timeLimit_s");
+  state.tree_fragment = manner.at("fragment").text();
+  state.claims = MakeResources(view, manner.at("claims"));
+  for (const Value& text : manner.at("preconditions").list()) {
+    state.preconditions.push_back(ToFluent(text.text(), state));
+  }
+  for (const Value& effect : manner.at("effects").list()) {
+    const prolog::List& parts = effect.compound().arguments;
+    state.effects.push_back({parts.at(0).text(), ToFluent(parts.at(1).text(), state)});
+  }
 }
 
 State ToState(const rdf::View& view, const Value& value) {
@@ -45,6 +92,7 @@ State ToState(const rdf::View& view, const Value& value) {
   for (const Value& outcome : value.at("outcomes").list()) {
     state.outcomes.push_back(outcome.text());
   }
+  ReadManner(view, value.at("manner"), state);
   return state;
 }
 
@@ -77,6 +125,33 @@ void ReadStates(const rdf::View& view, const Value& value, Plan& plan,
   for (const Value& end : value.at("ends").list()) plan.states.push_back(ToEnd(end));
 }
 
+Setting ToSetting(const rdf::View& view, const Value& value) {
+  return {value.at("name").text(),
+          value.at("type").text(),
+          value.at("unit").text(),
+          value.at("value").text(),
+          MakeSentence(view, value.at("text")),
+          IsTrue(value.at("default")),
+          ""};
+}
+
+// One setting for each name, however many steps it was for.
+void ReadOverridden(const rdf::View& view, const Value& overridden, Plan& plan) {
+  for (const Value& each : overridden.list()) {
+    const prolog::List& parts = each.compound().arguments;
+    const std::string name = parts.at(0).text();
+    const bool is_known = std::any_of(plan.settings.begin(), plan.settings.end(),
+                                      [&](const Setting& setting) { return setting.name == name; });
+    if (is_known) continue;
+    const Parameter now = ToParameter(view, parts.at(1));
+    Setting setting{name, now.type, now.unit, now.value, now.text, false, ""};
+    if (std::holds_alternative<prolog::Dict>(parts.at(2).data)) {
+      setting.was = ToParameter(view, parts.at(2)).text;
+    }
+    plan.settings.push_back(std::move(setting));
+  }
+}
+
 Plan ReadPlan(const rdf::View& view, const Value& value, std::vector<std::string>& problems) {
   Plan plan;
   plan.start = value.at("start").text();
@@ -89,7 +164,70 @@ Plan ReadPlan(const rdf::View& view, const Value& value, std::vector<std::string
     for (const Resource& step : MakeResources(view, group)) steps.push_back(step.label);
   }
   plan.notes = MakeSentences(view, value.at("notes"));
+  for (const Value& setting : value.at("settings").list()) {
+    plan.settings.push_back(ToSetting(view, setting));
+  }
+  ReadOverridden(view, value.at("overridden"), plan);
+  std::sort(plan.settings.begin(), plan.settings.end(),
+            [](const Setting& a, const Setting& b) { return a.name < b.name; });
   return plan;
+}
+
+// How many parts of `kind` the robot has.
+int PartsOf(const rdf::View& view, const std::string& robot_iri, const std::string& kind) {
+  const rdf::Dictionary& dictionary = view.dictionary();
+  const auto type = dictionary.FindIri(std::string(rdf::kRdf) + "type");
+  const auto part_of = dictionary.FindIri(std::string(rdf::kLares) + "subComponent");
+  const auto robot = dictionary.FindIri(robot_iri);
+  const auto wanted = dictionary.FindIri(kind);
+  if (!type || !part_of || !robot || !wanted) return 0;
+  int count = 0;
+  for (const rdf::TermId part : view.Subjects(*type, *wanted)) {
+    count += view.Contains({*robot, *part_of, part}) ? 1 : 0;
+  }
+  return count;
+}
+
+std::vector<std::vector<Resource>> UnorderedSteps(const rdf::View& view, const Value& value) {
+  std::vector<std::vector<Resource>> groups;
+  for (const Value& group : value.at("unordered").list()) {
+    groups.push_back(MakeResources(view, group));
+  }
+  return groups;
+}
+
+// What the steps that are done have brought about, as far as that still stands.
+std::vector<Fluent> HeldAfter(const Plan& plan, const std::vector<std::string>& done) {
+  std::vector<Fluent> held;
+  for (const std::string& id : done) {
+    const State* state = FindState(plan, id);
+    if (state == nullptr) continue;
+    for (const Effect& effect : state->effects) {
+      if (effect.outcome == "succeeded") held.push_back(effect.fluent);
+    }
+  }
+  return held;
+}
+
+// Everything that is done with a plan once the rules have made it.
+void Finish(const rdf::View& view, const PlanOptions& options,
+            const std::vector<std::vector<Resource>>& unordered, Plan& plan,
+            std::vector<std::string>& problems) {
+  const std::vector<Fluent> held = HeldAfter(plan, options.done);
+  if (!options.from.empty() || !options.done.empty()) Resume(plan, options.from, options.done);
+  if (!options.sequential) {
+    RunSideBySide(plan, unordered,
+                  [&](const std::string& kind) { return PartsOf(view, plan.robot.iri, kind); });
+  }
+  problems = CheckPlan(plan);
+  if (!problems.empty()) return;
+  Simulation simulation = Simulate(plan, held);
+  plan.assumptions = std::move(simulation.assumptions);
+  problems = std::move(simulation.problems);
+  if (!simulation.complete) {
+    plan.notes.push_back(
+        "what the steps need was not followed through every way: there are too many");
+  }
 }
 
 std::vector<Choice> ReadChoices(const rdf::View& view, const Value& choices) {
@@ -101,10 +239,34 @@ std::vector<Choice> ReadChoices(const rdf::View& view, const Value& choices) {
   return found;
 }
 
+std::string TextOrNone(const Value& value) {
+  const std::string text = value.text();
+  return text == "none" ? "" : text;
+}
+
+Declared ToDeclared(const rdf::View& view, const Value& value) {
+  Declared declared{value.at("name").text(),
+                    value.at("type").text(),
+                    value.at("unit").text(),
+                    MakeResource(view, TextOrNone(value.at("below"))),
+                    "",
+                    IsTrue(value.at("optional"))};
+  declared.default_text = MakeSentence(view, value.at("default_text"));
+  return declared;
+}
+
 Task ToTask(const rdf::View& view, const Value& value) {
-  return {MakeResource(view, value.at("task").text()), IsTrue(value.at("top_level")),
-          IsTrue(value.at("state_machine")),           MakeResources(view, value.at("steps")),
-          MakeSentences(view, value.at("problems")),   MakeSentences(view, value.at("warnings"))};
+  Task task;
+  task.task = MakeResource(view, value.at("task").text());
+  task.top_level = IsTrue(value.at("top_level"));
+  task.state_machine = IsTrue(value.at("state_machine"));
+  task.steps = MakeResources(view, value.at("steps"));
+  for (const Value& parameter : value.at("parameters").list()) {
+    task.parameters.push_back(ToDeclared(view, parameter));
+  }
+  task.problems = MakeSentences(view, value.at("problems"));
+  task.warnings = MakeSentences(view, value.at("warnings"));
+  return task;
 }
 
 Value Ask(prolog::EnginePool& engines, const rdf::View& view, const std::string& module,
@@ -122,8 +284,8 @@ PlanResult MakePlan(prolog::EnginePool& engines, const rdf::View& view, const st
   result.match = Match(engines, view, task_iri, robot_iri, {options.strict});
   if (!result.match.feasible) return result;
   const Value value = Ask(engines, view, "planning", "plan",
-                          {Value{Atom{task_iri}}, Value{Atom{robot_iri}}, PlanningOptions(options),
-                           Value{Atom{options.environment_iri}}});
+                          {Value{Atom{task_iri}}, Value{Atom{robot_iri}},
+                           PlanningOptions(view, options), Value{Atom{options.environment_iri}}});
   if (value.find("start") == nullptr) {
     result.choices = ReadChoices(view, value.at("choices"));
     result.problems = MakeSentences(view, value.at("problems"));
@@ -136,7 +298,7 @@ PlanResult MakePlan(prolog::EnginePool& engines, const rdf::View& view, const st
   plan.environment_version = options.environment_version;
   plan.match = result.match;
   if (!result.problems.empty()) return result;
-  result.problems = CheckPlan(plan);
+  Finish(view, options, UnorderedSteps(view, value), plan, result.problems);
   if (result.problems.empty()) result.plan = std::move(plan);
   return result;
 }
@@ -147,6 +309,12 @@ std::vector<Task> FindTasks(prolog::EnginePool& engines, const rdf::View& view,
   std::vector<Task> found;
   for (const Value& task : tasks.list()) found.push_back(ToTask(view, task));
   return found;
+}
+
+std::vector<std::string> FindSuspicions(prolog::EnginePool& engines, const rdf::View& view,
+                                        const std::string& recipe_graph) {
+  return MakeSentences(view,
+                       Ask(engines, view, "suspicions", "suspicions", {Value{Atom{recipe_graph}}}));
 }
 
 std::vector<Resource> FindRobots(prolog::EnginePool& engines, const rdf::View& view,

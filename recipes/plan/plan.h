@@ -20,13 +20,17 @@ struct Parameter {
     kRobot,
     kEnvironment,
     kTemplate,
-    kStep
-  };                 // kStep: another step's output
+    kStep,     // another step's output
+    kRequest,  // whoever asked for the plan
+  };
   std::string name;  // the template's name for it, a C identifier: "target_pose"
-  std::string type;  // "pose", "class", "string", "number", "boolean", "designator", "pose_list"
+  // "pose", "class", "string", "number", "boolean", "designator", "pose_list", "class_list",
+  // "designator_list"
+  std::string type;
   std::string unit;  // SI symbol, empty when it has none
-  std::string
-      value;  // text form: an IRI, a number, "x y z qx qy qz qw" for a pose, a key "{next_pose}"
+  // Text form: an IRI, a number, "x y z qx qy qz qw" for a pose, a key "{next_pose}"; of lists of
+  // IRIs with spaces between.
+  std::string value;
   std::string frame;  // of poses
   std::string text;   // for people: "Bottle", "in reach of bottle1"
   Source source = Source::kRecipe;
@@ -48,6 +52,9 @@ struct Effect {
   std::string outcome;
   Fluent fluent;
 };
+
+constexpr double kMaxRetries = 100;
+constexpr double kMaxTimeLimit_s = 7 * 24 * 3600;
 
 struct State {
   std::string id;  // unique in the plan, [A-Za-z0-9_-]+, from the step's name: "check-if-found"
@@ -94,6 +101,16 @@ struct Setting {
   std::string text;        // for people
   bool is_default = true;  // nobody asked for another value
   std::string was;         // text of the default that it overrides; empty without one
+};
+
+// A parameter that a recipe declares.
+struct Declared {
+  std::string name;
+  std::string type;
+  std::string unit;
+  Resource below;            // what is above every value; empty when it is not said
+  std::string default_text;  // for people; empty without one
+  bool optional = false;
 };
 
 struct Plan {
@@ -154,12 +171,18 @@ struct Task {
   bool top_level = false;      // not a sub-action of another task of the same document
   bool state_machine = false;  // else a partial order
   std::vector<Resource> steps;
+  std::vector<Declared> parameters;
   std::vector<std::string> problems;  // each makes the recipe unusable: refused at put
   std::vector<std::string> warnings;
 };
 // The tasks that `recipe_graph` (a graph of `view`) describes; problems found are in each.
 std::vector<Task> FindTasks(prolog::EnginePool& engines, const rdf::View& view,
                             const std::string& recipe_graph);
+
+// What the author of `recipe_graph` probably did not mean: misspelt vocabulary, swapped roles,
+// individuals where classes belong. One sentence each, with the IRIs as written.
+std::vector<std::string> FindSuspicions(prolog::EnginePool& engines, const rdf::View& view,
+                                        const std::string& recipe_graph);
 
 // The robots (individuals) that `robot_graph` (a graph of `view`) describes.
 // Throws kInvalid for a body that cannot be: joints in a circle (as asserted), matrix entries that

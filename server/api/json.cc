@@ -161,6 +161,9 @@ Json ToJson(const server::PutAnswer& answer) {
     json["tasks"] = Json::array();
     for (const recipes::Task& task : answer.tasks) json["tasks"].push_back(ToJson(task));
   }
+  if (answer.document.kind == store::DocumentKind::kSkillTemplate) {
+    json["skill_templates"] = ToJson(answer.skill_templates);
+  }
   if (answer.document.kind == store::DocumentKind::kRobot) json["robots"] = ToJson(answer.robots);
   return json;
 }

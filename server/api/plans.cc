@@ -42,12 +42,14 @@ server::PlanRequest ReadPlanRequest(const std::string& body) {
     throw http::ProblemError("bad-request", std::string("the body is no JSON: ") + error.what());
   }
   if (!json.is_object()) throw Error(Code::kInvalid, "the body must be a JSON object");
-  static constexpr const char* kKnown[] = {"task",    "robot",  "environment",
-                                           "version", "strict", "templates"};
+  static constexpr const char* kKnown[] = {"task", "robot",     "environment", "version", "strict",
+                                           "set",  "templates", "sequential",  "from",    "done"};
   for (const auto& [name, value] : json.items()) {
     if (std::find(std::begin(kKnown), std::end(kKnown), name) == std::end(kKnown)) {
       throw Error(Code::kInvalid, "'" + name + "' is not known here")
-          .WithHint("the members are task, robot, environment, version, strict, templates");
+          .WithHint(
+              "the members are task, robot, environment, version, strict, templates, set, "
+              "sequential, from, done");
     }
   }
   server::PlanRequest request;
@@ -61,6 +63,11 @@ server::PlanRequest ReadPlanRequest(const std::string& body) {
   request.strict = Member<bool>(json, "strict", false, "true or false");
   request.templates = Member<std::map<std::string, std::string>>(
       json, "templates", {}, "an object from steps to skill templates");
+  request.set = Member<std::map<std::string, std::string>>(
+      json, "set", {}, "an object from names to values, both texts");
+  request.sequential = Member<bool>(json, "sequential", false, "true or false");
+  request.from = Member<std::string>(json, "from", "", "a text");
+  request.done = Member<std::vector<std::string>>(json, "done", {}, "an array of step ids");
   if (request.task.empty()) throw Error(Code::kInvalid, "'task' is missing");
   if (request.robot.empty()) throw Error(Code::kInvalid, "'robot' is missing");
   if (request.environment_version < 0)

@@ -1,70 +1,96 @@
 #include <algorithm>
-#include <map>
 #include <nlohmann/json.hpp>
 
+#include "base/error.h"
 #include "base/text.h"
-#include "ontology/rdf/vocabulary.h"
 #include "server/api/answers.h"
 #include "server/api/context.h"
+#include "server/api/documents.h"
+#include "server/api/quarantine.h"
 
 namespace lares::api {
 namespace {
 
-struct Template {
-  std::string iri;
-  Json json;
-};
+constexpr const char* kCollection = "/v1/skill-templates";
 
-// What the catalogue asserts of a template, under the local names of its properties.
-Json Describe(const rdf::View& view, rdf::TermId term) {
-  std::map<std::string, std::vector<std::string>> properties;
-  view.ForEach(
-      {term, rdf::kAnyTerm, rdf::kAnyTerm},
-      [&](const rdf::Triple& triple) {
-        const rdf::TermView object = view.dictionary().Get(triple.object);
-        if (object.kind == rdf::TermKind::kBlank) return true;
-        const std::string name(LocalName(view.dictionary().Get(triple.predicate).value));
-        if (name != "type" && name != "label") properties[name].emplace_back(object.value);
-        return true;
-      },
-      rdf::Origin::kAsserted);
-  Json json{{"iri", view.dictionary().Get(term).value}, {"label", view.Label(term)}};
-  for (auto& [name, values] : properties) {
-    std::sort(values.begin(), values.end());
-    json["properties"][name] = values;
-  }
+Json ToJson(const recipes::SkillInput& input) {
+  Json json{{"name", input.name},
+            {"type", input.type},
+            {"optional", input.optional},
+            {"sources", input.sources}};
+  if (!input.unit.empty()) json["unit"] = input.unit;
   return json;
 }
 
-std::vector<Template> Templates(const rdf::View& view) {
-  std::vector<Template> templates;
-  const auto type = view.dictionary().FindIri(std::string(rdf::kRdf) + "type");
-  const auto skill = view.dictionary().FindIri(std::string(rdf::kLares) + "SkillTemplate");
-  if (!type || !skill) return templates;
-  for (const rdf::TermId term : view.Subjects(*type, *skill)) {
-    const rdf::TermView named = view.dictionary().Get(term);
-    if (named.kind != rdf::TermKind::kIri) continue;
-    templates.push_back({std::string(named.value), Describe(view, term)});
+Json ToJson(const recipes::SkillOutcome& outcome) {
+  Json json{{"name", outcome.name}, {"means", nullptr}, {"effects", outcome.effects}};
+  if (!outcome.means.iri.empty()) json["means"] = api::ToJson(outcome.means);
+  return json;
+}
+
+Json ToJson(const recipes::SkillTemplate& each) {
+  Json json{{"iri", each.iri.iri},
+            {"label", each.iri.label},
+            {"comment", each.comment},
+            {"actions", api::ToJson(each.actions)},
+            {"skill", each.skill},
+            {"conditions", each.conditions},
+            {"inputs", Json::array()},
+            {"outputs", Json::array()},
+            {"outcomes", Json::array()},
+            {"claims", api::ToJson(each.claims)},
+            {"preconditions", each.preconditions}};
+  for (const recipes::SkillInput& input : each.inputs) json["inputs"].push_back(ToJson(input));
+  for (const recipes::SkillOutput& output : each.outputs) {
+    json["outputs"].push_back({{"name", output.name},
+                               {"type", output.type},
+                               {"key_property", api::ToJson(output.key_property)}});
   }
-  std::sort(templates.begin(), templates.end(),
-            [](const Template& a, const Template& b) { return a.iri < b.iri; });
-  return templates;
+  for (const recipes::SkillOutcome& outcome : each.outcomes) {
+    json["outcomes"].push_back(ToJson(outcome));
+  }
+  if (!each.retries.empty()) json["retries"] = each.retries;
+  if (!each.time_limit_s.empty()) json["time_limit_s"] = each.time_limit_s;
+  if (!each.tree_fragment.empty()) json["tree_fragment"] = each.tree_fragment;
+  return json;
+}
+
+// The id of the stored document that says it; none of a built-in template.
+Json DocumentOf(const Context& context, const std::string& iri) {
+  for (const auto& [document, name] :
+       context.store.FindByName(store::DocumentKind::kSkillTemplate, iri)) {
+    return document.id;
+  }
+  return nullptr;
+}
+
+http::Response ListTemplates(const http::Request& request, Context& context) {
+  const auto templates = context.knowledge.SkillTemplates();
+  return Page(
+      request, templates.size(), [&](std::size_t i) { return templates[i].iri.iri; },
+      [&](std::size_t i) {
+        Json json = ToJson(templates[i]);
+        json["document"] = DocumentOf(context, templates[i].iri.iri);
+        return json;
+      });
 }
 
 }  // namespace
 
 void AddSkillTemplateRoutes(http::Router& router, Context& context) {
-  router.Add({"GET",
-              "/v1/skill-templates",
-              "listSkillTemplates",
-              [&context](const http::Request& request) {
-                const std::vector<Template> templates = Templates(context.knowledge.Catalogue());
-                return Page(
-                    request, templates.size(), [&](std::size_t i) { return templates[i].iri; },
-                    [&](std::size_t i) { return templates[i].json; });
-              },
-              {},
-              0});
+  const DocumentRoutes routes{store::DocumentKind::kSkillTemplate, kCollection, "SkillTemplate",
+                              "SkillTemplates"};
+  AddDocumentPutRoutes(routes, router, context);
+  http::Router documents;
+  AddDocumentReadRoutes(routes, documents, context);
+  for (http::Route route : documents.routes()) {
+    if (route.operation == "listSkillTemplates") {
+      route.handler = [&context](const http::Request& request) {
+        return ListTemplates(request, context);
+      };
+    }
+    router.Add(std::move(route));
+  }
 }
 
 }  // namespace lares::api

@@ -59,6 +59,7 @@ int Run(int argc, const char* const* argv) {
     AddServe(app, options);
     AddRecipe(app, options);
     AddRobot(app, options);
+    AddSkill(app, options);
     AddPlan(app, options);
     AddWhere(app, options);
     AddEnvironment(app, options);

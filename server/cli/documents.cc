@@ -33,6 +33,9 @@ std::string Summary(const DocumentCommand& command, const Json& answer) {
   for (const Json& robot : answer.value("robots", Json::array())) {
     text += "  robot " + TextOf(robot, "label") + " <" + TextOf(robot, "iri") + ">\n";
   }
+  for (const Json& skill : answer.value("skill_templates", Json::array())) {
+    text += "  skill template " + TextOf(skill, "label") + " <" + TextOf(skill, "iri") + ">\n";
+  }
   const Json repairs = answer.value("repairs", Json::array());
   text += FormatRemarks(repairs, "  repaired (the original is kept):");
   text += FormatRemarks(answer.value("warnings", Json::array()), "  warnings:");
@@ -141,10 +144,11 @@ void ReleaseDocuments(const DocumentCommand& command, const std::vector<std::str
                       bool editor, const Options& options) {
   Remote remote(options.server);
   Json answers = Json::array();
+  const std::string& kind = command.kind.empty() ? command.noun : command.kind;
   for (const std::string& id : ids) {
     http::ClientRequest request;
     request.method = "POST";
-    request.path = PathOf("/v1/quarantine", {command.noun + "." + id, "release"});
+    request.path = PathOf("/v1/quarantine", {kind + "." + id, "release"});
     if (editor) request.query.emplace("editor", "true");
     answers.push_back(Json::parse(remote.Send(request).body));
     if (!options.json) Print(Summary(command, answers.back()));

@@ -17,6 +17,7 @@ struct DocumentCommand {
   // What of a stored document is worth a line of the list, beside id and version.
   std::string column;
   std::function<std::string(const Json&)> cell;
+  std::string kind;  // as it begins the ids of what is kept aside; empty: as the noun
 };
 
 struct PutOptions {

@@ -17,8 +17,31 @@ struct PlanOptions {
   bool strict = false;
   std::string as = "text";
   std::vector<std::string> templates;
+  std::vector<std::string> set;
+  bool sequential = false;
+  std::string from;
+  std::vector<std::string> done;
   std::string out;
 };
+
+// "--object Cup" for a recipe's parameter "object", as "--set object=Cup".
+void TakeParameters(const std::vector<std::string>& rest, PlanOptions& plan) {
+  for (std::size_t at = 0; at < rest.size(); ++at) {
+    if (!rest[at].starts_with("--") || rest[at].size() < 3) {
+      throw CLI::ExtrasError({rest[at]});
+    }
+    const std::string name = rest[at].substr(2);
+    if (name.find('=') != std::string::npos) {
+      plan.set.push_back(name);
+    } else if (at + 1 < rest.size() && !rest[at + 1].starts_with("--")) {
+      plan.set.push_back(name + "=" + rest[++at]);
+    } else {
+      throw CLI::ValidationError(rest[at],
+                                 "is no option of lares plan, and as a parameter of the "
+                                 "recipe it has no value");
+    }
+  }
+}
 
 Json RequestBody(const PlanOptions& plan) {
   Json body{{"task", plan.task}, {"robot", plan.robot}};
@@ -32,6 +55,16 @@ Json RequestBody(const PlanOptions& plan) {
     }
     body["templates"][choice.substr(0, equals)] = choice.substr(equals + 1);
   }
+  for (const std::string& setting : plan.set) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == setting.size()) {
+      throw CLI::ValidationError("--set", "write it as NAME=VALUE, not '" + setting + "'");
+    }
+    body["set"][setting.substr(0, equals)] = setting.substr(equals + 1);
+  }
+  if (plan.sequential) body["sequential"] = true;
+  if (!plan.from.empty()) body["from"] = plan.from;
+  if (!plan.done.empty()) body["done"] = plan.done;
   return body;
 }
 
@@ -70,12 +103,13 @@ void MakePlan(const PlanOptions& plan, const Options& options) {
 
 }  // namespace
 
-void AddPlan(CLI::App& app, const Options& options) {
+void AddPlan(CLI::App& app, Options& options) {
   auto* command = AddCommand(
       app, "plan", "A plan of a task for one robot, or why there is none",
       "  lares plan FindBottle --robot pioneer\n"
       "  lares plan FindBottle --robot pioneer --environment hospital-room --as bt-xml --out "
       "plan.xml\n"
+      "  lares plan ObjectSearch --object Cup --robot scout --environment flat\n"
       "  lares plan FindBottle --robot PR2 --as dot | dot -Tsvg > plan.svg");
   auto plan = std::make_shared<PlanOptions>();
   command->add_option("TASK", plan->task, "recipe's id, or the task's IRI, label or local name")
@@ -90,8 +124,23 @@ void AddPlan(CLI::App& app, const Options& options) {
       ->capture_default_str();
   command->add_option("--template", plan->templates,
                       "STEP=TEMPLATE: which skill a step shall use; may be repeated");
+  command->add_option("--set", plan->set,
+                      "NAME=VALUE: a parameter of the recipe, or another value of a skill's input; "
+                      "may be repeated. --NAME VALUE is the same");
+  command->add_flag("--sequential", plan->sequential, "run nothing side by side");
+  command->add_option("--from", plan->from, "make the plan anew from this step on");
+  command->add_option("--done", plan->done, "a step that is done already; may be repeated")
+      ->allow_extra_args(false);
+  // What is no option here is a parameter, so the general options must be known here too.
+  command->allow_extras();
+  command->fallthrough(false);
+  command->add_option("--server", options.server, "address of the server")->group("General");
+  command->add_flag("--json", options.json, "print the server's JSON")->group("General");
   command->add_option("--out", plan->out, "file to write instead of standard output");
-  command->callback([=, &options] { MakePlan(*plan, options); });
+  command->callback([=, &options] {
+    TakeParameters(command->remaining(), *plan);
+    MakePlan(*plan, options);
+  });
 }
 
 }  // namespace lares::cli

@@ -77,6 +77,7 @@ std::shared_ptr<const CatalogueState> MakeCatalogue(const rdf::View& own,
     catalogue->inferred += CountInferred(*layer);
     const bool is_own = layer == own.layers().front();
     for (const rdf::Graph& graph : layer->graphs()) {
+      if (graph.name.starts_with("skill-template:")) continue;
       catalogue->modules.push_back({graph.name.substr(graph.name.find(':') + 1),
                                     is_own ? "built-in" : "stored", graph.triples.size()});
     }

@@ -9,6 +9,7 @@
 #include "ontology/rdf/reader.h"
 #include "ontology/rdf/vocabulary.h"
 #include "reasoner/owl/materialise.h"
+#include "recipes/skill/skill_template.h"
 #include "server/knowledge/knowledge.h"
 #include "server/knowledge/quarantine.h"
 #include "server/knowledge/refusal.h"
@@ -56,6 +57,14 @@ Place PlaceOf(const std::string& sentence, std::string_view bytes, const std::st
   return {source, 0, 0};
 }
 
+json ToJson(const recipes::Declared& declared) {
+  json value{{"name", declared.name}, {"type", declared.type}, {"optional", declared.optional}};
+  if (!declared.unit.empty()) value["unit"] = declared.unit;
+  if (!declared.below.iri.empty()) value["below"] = ToJson(declared.below);
+  if (!declared.default_text.empty()) value["default"] = declared.default_text;
+  return value;
+}
+
 void AddNames(const Resource& resource, std::vector<store::DocumentName>& names) {
   names.push_back({resource.iri, "iri", resource.iri});
   if (resource.as_written != resource.iri) {
@@ -91,6 +100,12 @@ void UnderstandRecipe(prolog::EnginePool& engines, Incoming& incoming) {
     throw Error(Code::kInvalid, "describes no task: no class has sub-actions or state transitions",
                 {incoming.source, 0, 0});
   }
+  for (const std::string& each :
+       recipes::FindSuspicions(engines, incoming.view, incoming.graph.name)) {
+    incoming.answer.remarks.push_back({rdf::Remark::Kind::kWarning,
+                                       PlaceOf(each, incoming.request.bytes, incoming.source),
+                                       each});
+  }
   std::vector<std::string> problems;
   const bool has_top = std::any_of(incoming.answer.tasks.begin(), incoming.answer.tasks.end(),
                                    [](const auto& task) { return task.top_level; });
@@ -104,11 +119,14 @@ void UnderstandRecipe(prolog::EnginePool& engines, Incoming& incoming) {
     }
     json steps = json::array();
     for (const Resource& step : task.steps) steps.push_back(ToJson(step));
+    json parameters = json::array();
+    for (const recipes::Declared& each : task.parameters) parameters.push_back(ToJson(each));
     incoming.details["tasks"].push_back(
         {{"task", ToJson(task.task)},
          {"top_level", task.top_level},
          {"form", task.state_machine ? "state-machine" : "partial-order"},
-         {"steps", steps}});
+         {"steps", steps},
+         {"parameters", parameters}});
   }
   Refuse(incoming, problems);
 }
@@ -160,6 +178,26 @@ void UnderstandObjectModel(const store::Store& store, Incoming& incoming) {
   incoming.details["files"] = files;
 }
 
+void UnderstandSkillTemplates(prolog::EnginePool& engines, const std::string& graph,
+                              Incoming& incoming) {
+  const auto found = recipes::FindTemplates(engines, incoming.view, graph);
+  if (found.empty()) {
+    throw Error(Code::kInvalid, "describes no skill template: nothing is a SkillTemplate",
+                {incoming.source, 0, 0});
+  }
+  std::vector<std::string> problems;
+  for (const recipes::SkillTemplate& each : found) {
+    problems.insert(problems.end(), each.problems.begin(), each.problems.end());
+    incoming.answer.warnings.insert(incoming.answer.warnings.end(), each.warnings.begin(),
+                                    each.warnings.end());
+    AddNames(each.iri, incoming.names);
+    incoming.names.push_back({incoming.request.id, "id", each.iri.iri});
+    incoming.answer.skill_templates.push_back(each.iri);
+    incoming.details["skill_templates"].push_back(ToJson(each.iri));
+  }
+  Refuse(incoming, problems);
+}
+
 store::DocumentInfo Store(store::Store& store, const Incoming& incoming) {
   const PutRequest& request = incoming.request;
   store::NewDocument document;
@@ -174,6 +212,11 @@ store::DocumentInfo Store(store::Store& store, const Incoming& incoming) {
   document.names = incoming.names;
   document.if_match = request.if_match;
   return store.PutDocument(document);
+}
+
+// Documents that all questions are asked over; the others lie above the catalogue when asked for.
+bool IsOfTheCatalogue(DocumentKind kind) {
+  return kind == DocumentKind::kOntology || kind == DocumentKind::kSkillTemplate;
 }
 
 // Contradictions of the whole catalogue.
@@ -272,8 +315,9 @@ PutAnswer Knowledge::Put(const PutRequest& original) {
   incoming.answer.remarks = incoming.content.remarks;
   incoming.answer.statements = incoming.graph.triples.size();
 
-  if (request.kind == DocumentKind::kOntology)
+  if (IsOfTheCatalogue(request.kind)) {
     return PutOntology(request, incoming.graph, incoming.content);
+  }
 
   const auto base = state_->catalogue();
   if (!request.editor) {
@@ -283,8 +327,16 @@ PutAnswer Knowledge::Put(const PutRequest& original) {
     }
     state_->CheckAuthority(*base, incoming.graph, {request.bytes, incoming.source}, judge);
   }
-  incoming.view =
-      base->view.With(Aside([&] { return owl::Materialise(base->view, {incoming.graph}); }));
+  rdf::View below = base->view;
+  if (request.kind == DocumentKind::kRecipe) {
+    std::vector<OverlaySource> nested;
+    for (const store::DocumentInfo& each : state_->NestedIn(incoming.graph, request.id)) {
+      nested.push_back(state_->SourceOf(GraphName(each.kind, each.id), each));
+      incoming.details["nests"].push_back(each.id);
+    }
+    below = state_->overlays.Get({base->view, base->generation}, nested, nullptr).view;
+  }
+  incoming.view = below.With(Aside([&] { return owl::Materialise(below, {incoming.graph}); }));
   const auto& layer = *incoming.view.layers().back();
   incoming.answer.inferred = CountInferred(layer);
   incoming.answer.warnings = AbsentImports(incoming.content, base->modules, state_->aliases);
@@ -320,14 +372,14 @@ PutAnswer Knowledge::PutOntology(const PutRequest& request, const rdf::Graph& gr
                                  const rdf::Document& content) {
   const std::lock_guard lock(state_->ontology_mutex);
   std::map<std::string, rdf::Graph> next = state_->stored_graphs;
-  next[request.id] = graph;
+  next[graph.name] = graph;
   std::vector<rdf::Graph> stored;
   for (const auto& [id, other] : next) stored.push_back(other);
   const auto before = state_->catalogue();
   const authority::Claim claim =
       authority::MakeClaim(content, graph, state_->aliases, *state_->dictionary);
   if (!request.editor) {
-    const authority::Owners owners = state_->authority.OwnersWith(request.id, claim);
+    const authority::Owners owners = state_->authority.OwnersWith(graph.name, claim);
     RefuseTrespasses(before->view, graph, authority::FindTrespasses(before->view, graph, owners),
                      {request.bytes, request.file_name});
   }
@@ -344,10 +396,13 @@ PutAnswer Knowledge::PutOntology(const PutRequest& request, const rdf::Graph& gr
   for (std::string& clash : DescribeClashes(catalogue->view)) {
     incoming.answer.warnings.push_back(std::move(clash));
   }
+  if (request.kind == DocumentKind::kSkillTemplate) {
+    UnderstandSkillTemplates(state_->engines, graph.name, incoming);
+  }
   incoming.details["statements"] = incoming.answer.statements;
   incoming.answer.document = Store(state_->store, incoming);
   ForgetKeptAside(state_->store, request.kind, request.id);
-  state_->authority.Put(request.id, claim, incoming.answer.document.received, request.editor);
+  state_->authority.Put(graph.name, claim, incoming.answer.document.received, request.editor);
   state_->stored_graphs = std::move(next);
   state_->Publish(std::move(catalogue));
   state_->changes.Notify();
@@ -355,15 +410,16 @@ PutAnswer Knowledge::PutOntology(const PutRequest& request, const rdf::Graph& gr
 }
 
 void Knowledge::Remove(DocumentKind kind, const std::string& id) {
-  if (kind != DocumentKind::kOntology) {
+  if (!IsOfTheCatalogue(kind)) {
     state_->store.DeleteDocument(kind, id);
     state_->changes.Notify();
     return;
   }
   const std::lock_guard lock(state_->ontology_mutex);
   state_->store.DeleteDocument(kind, id);
-  state_->stored_graphs.erase(id);
-  state_->authority.Remove(id);
+  const std::string graph_name = GraphName(kind, id);
+  state_->stored_graphs.erase(graph_name);
+  state_->authority.Remove(graph_name);
   std::vector<rdf::Graph> stored;
   for (const auto& [other_id, graph] : state_->stored_graphs) stored.push_back(graph);
   const auto before = state_->catalogue();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
 #include "base/aside.h"
@@ -65,16 +66,19 @@ Knowledge::Knowledge(store::Store& store, prolog::EnginePool& engines)
       CloseOwnModules(state_->dictionary, LoadOwnModules(state_->aliases, *state_->dictionary));
   state_->authority.SetOwn(state_->own);
   std::vector<rdf::Graph> stored;
-  for (const store::DocumentInfo& document : store.ListDocuments(store::DocumentKind::kOntology)) {
+  std::vector<store::DocumentInfo> documents = store.ListDocuments(store::DocumentKind::kOntology);
+  for (store::DocumentInfo& skills : store.ListDocuments(store::DocumentKind::kSkillTemplate)) {
+    documents.push_back(std::move(skills));
+  }
+  for (const store::DocumentInfo& document : documents) {
     const std::string name = GraphName(document.kind, document.id);
     try {
       const rdf::Document content = ReadStored(store, state_->aliases, name, document.blob,
                                                document.media_type, document.file_name);
       stored.push_back(rdf::MakeGraph(content, name, state_->aliases, *state_->dictionary));
-      state_->stored_graphs[document.id] = stored.back();
+      state_->stored_graphs[name] = stored.back();
       state_->authority.Put(
-          document.id,
-          authority::MakeClaim(content, stored.back(), state_->aliases, *state_->dictionary),
+          name, authority::MakeClaim(content, stored.back(), state_->aliases, *state_->dictionary),
           store.DocumentLog(document.kind, document.id).back().received,
           nlohmann::json::parse(document.details_json).value("editor", false));
     } catch (const Error& error) {
@@ -117,13 +121,61 @@ std::optional<Contradiction> Knowledge::State::Convict(const CatalogueState& bas
   return FindContradiction(below.With(Aside([&] { return owl::Materialise(below, {graph}); })));
 }
 
+std::vector<store::DocumentInfo> Knowledge::State::NestedIn(
+    const store::DocumentInfo& recipe) const {
+  std::map<std::string, store::DocumentInfo> nested;
+  std::vector<store::DocumentInfo> open{recipe};
+  while (!open.empty()) {
+    const store::DocumentInfo next = std::move(open.back());
+    open.pop_back();
+    const auto details = nlohmann::json::parse(next.details_json);
+    for (const std::string id : details.value("nests", nlohmann::json::array())) {
+      if (id == recipe.id || nested.count(id) > 0) continue;
+      const auto found = store.FindDocument(store::DocumentKind::kRecipe, id);
+      if (!found) continue;  // removed since: planning names the step that it leaves unknown
+      nested.emplace(id, *found);
+      open.push_back(*found);
+    }
+  }
+  std::vector<store::DocumentInfo> documents;
+  for (auto& [id, document] : nested) documents.push_back(std::move(document));
+  return documents;
+}
+
+std::vector<store::DocumentInfo> Knowledge::State::NestedIn(const rdf::Graph& graph,
+                                                            const std::string& id) const {
+  std::set<std::string> iris;
+  for (const rdf::Triple& triple : graph.triples) {
+    const rdf::TermView object = dictionary->Get(triple.object);
+    if (object.kind == rdf::TermKind::kIri) iris.emplace(object.value);
+  }
+  std::map<std::string, store::DocumentInfo> nested;
+  for (const std::string& iri : iris) {
+    for (auto& [document, name] : store.FindByName(store::DocumentKind::kRecipe, iri)) {
+      if (document.id == id || name.kind != "iri") continue;
+      nested.emplace(document.id, document);
+      for (store::DocumentInfo& inner : NestedIn(document)) {
+        if (inner.id != id) nested.emplace(inner.id, std::move(inner));
+      }
+    }
+  }
+  std::vector<store::DocumentInfo> documents;
+  for (auto& [nested_id, document] : nested) documents.push_back(std::move(document));
+  return documents;
+}
+
 rdf::View Knowledge::State::ViewOf(const Stack& stack, const rdf::Graph* environment_graph) {
   const std::shared_ptr<const CatalogueState> base = catalogue();
   std::vector<OverlaySource> sources;
   // The robot is the largest and changes least, so it lies below what is asked about it.
-  for (const store::DocumentInfo* document : {stack.robot, stack.recipe}) {
-    if (document == nullptr) continue;
-    sources.push_back(SourceOf(GraphName(document->kind, document->id), *document));
+  std::vector<store::DocumentInfo> documents;
+  if (stack.robot != nullptr) documents.push_back(*stack.robot);
+  if (stack.recipe != nullptr) {
+    for (store::DocumentInfo& nested : NestedIn(*stack.recipe)) documents.push_back(nested);
+    documents.push_back(*stack.recipe);
+  }
+  for (const store::DocumentInfo& document : documents) {
+    sources.push_back(SourceOf(GraphName(document.kind, document.id), document));
   }
   if (stack.environment != nullptr) {
     for (const store::LayerInfo& layer : stack.environment->layers) {

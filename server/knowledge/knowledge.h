@@ -17,6 +17,7 @@
 #include "reasoner/prolog/engine_pool.h"
 #include "recipes/match/match.h"
 #include "recipes/plan/plan.h"
+#include "recipes/skill/skill_template.h"
 #include "server/knowledge/changes.h"
 #include "server/store/store.h"
 
@@ -52,7 +53,8 @@ struct PutAnswer {
   std::vector<rdf::Remark> remarks;       // repairs and warnings with places
   std::vector<recipes::Task> tasks;       // recipes
   std::vector<recipes::Resource> robots;  // robots
-  std::vector<std::string> warnings;      // without a place: absent imports, contradictions, …
+  std::vector<recipes::Resource> skill_templates;
+  std::vector<std::string> warnings;  // without a place: absent imports, contradictions, …
   std::size_t statements = 0;
   std::size_t inferred = 0;
   // Why it is kept aside; empty when it was taken. `document` is then of kQuarantined.
@@ -66,6 +68,10 @@ struct PlanRequest {
   int environment_version = 0;  // 0: newest
   bool strict = false;
   std::map<std::string, std::string> templates;  // answers to choices: step → template
+  std::map<std::string, std::string> set;        // parameters and inputs: name → value as written
+  bool sequential = false;                       // nothing side by side
+  std::string from;                              // made anew: the step to go on with
+  std::vector<std::string> done;                 // made anew: the steps that are done
 };
 
 struct PlanAnswer {
@@ -163,6 +169,8 @@ class Knowledge {
   std::string RenderSemantic(const std::string& environment, int version, rdf::Format format);
   std::vector<semantic::MapObject> MapObjects(const std::string& environment, int version);
 
+  // The skill templates that plans are made of, stored ones included.
+  std::vector<recipes::SkillTemplate> SkillTemplates();
   PlanAnswer MakePlan(const PlanRequest& request);
   // Every stored robot that could do `task`.
   std::vector<recipes::Resource> CapableRobots(const std::string& task, bool strict);

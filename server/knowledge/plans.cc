@@ -35,6 +35,10 @@ rdf::View Knowledge::ViewFor(const ViewRequest& request) {
   return state_->ViewOf(stack);
 }
 
+std::vector<recipes::SkillTemplate> Knowledge::SkillTemplates() {
+  return recipes::FindTemplates(state_->engines, Catalogue());
+}
+
 PlanAnswer Knowledge::MakePlan(const PlanRequest& request) {
   const Resolved recipe = Resolve(store::DocumentKind::kRecipe, request.task);
   const Resolved robot = Resolve(store::DocumentKind::kRobot, request.robot);
@@ -43,6 +47,12 @@ PlanAnswer Knowledge::MakePlan(const PlanRequest& request) {
   for (const auto& [step, chosen] : request.templates) {
     options.templates[state_->aliases.Canonical(step)] = state_->aliases.Canonical(chosen);
   }
+  for (const auto& [name, value] : request.set) {
+    options.set[name] = state_->aliases.Canonical(value);
+  }
+  options.sequential = request.sequential;
+  options.from = request.from;
+  options.done = request.done;
   State::Stack stack{&robot.document, &recipe.document, nullptr};
   std::optional<store::EnvironmentVersion> environment;
   if (!request.environment.empty()) {
@@ -52,6 +62,7 @@ PlanAnswer Knowledge::MakePlan(const PlanRequest& request) {
     options.environment = environment->environment;
     options.environment_version = environment->number;
     if (info) options.environment_iri = info->type_iri;
+    for (const store::LayerInfo& layer : environment->layers) options.layers.push_back(layer.name);
   }
   PlanAnswer answer;
   answer.result = recipes::MakePlan(state_->engines, state_->ViewOf(stack), OneTarget(recipe),

@@ -10,8 +10,9 @@ using nlohmann::json;
 using store::DocumentKind;
 
 DocumentKind KindOf(const std::string& name) {
-  for (const DocumentKind kind : {DocumentKind::kOntology, DocumentKind::kRecipe,
-                                  DocumentKind::kRobot, DocumentKind::kObjectModel}) {
+  for (const DocumentKind kind :
+       {DocumentKind::kOntology, DocumentKind::kRecipe, DocumentKind::kRobot,
+        DocumentKind::kObjectModel, DocumentKind::kSkillTemplate}) {
     if (store::ToString(kind) == name) return kind;
   }
   throw Error(Code::kInternal, "'" + name + "' is no kind of document that is kept aside");

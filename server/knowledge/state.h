@@ -35,9 +35,10 @@ struct Knowledge::State {
 
   std::vector<Module> set_aside;  // stored ontology documents that could not be read at start
 
-  std::mutex ontology_mutex;                        // one change of the catalogue at a time
-  std::map<std::string, rdf::Graph> stored_graphs;  // under ontology_mutex
-  mutable std::shared_mutex catalogue_mutex;        // guards the pointer only
+  std::mutex ontology_mutex;  // one change of the catalogue at a time
+  // Stored ontology modules and skill templates by the names of their graphs; under ontology_mutex.
+  std::map<std::string, rdf::Graph> stored_graphs;
+  mutable std::shared_mutex catalogue_mutex;  // guards the pointer only
   std::shared_ptr<const CatalogueState> catalogue_now;
 
   Changes changes;
@@ -68,7 +69,11 @@ struct Knowledge::State {
   // must answer for; nothing when the catalogue takes no side.
   std::optional<Contradiction> Convict(const CatalogueState& base, const rdf::View& view,
                                        const rdf::Graph& graph);
-  // Catalogue + robot + recipe + environment, each where given.
+  // The stored recipes whose tasks the document behind `graph` nests, and those that they nest; by
+  // id, itself left out.
+  std::vector<store::DocumentInfo> NestedIn(const rdf::Graph& graph, const std::string& id) const;
+  std::vector<store::DocumentInfo> NestedIn(const store::DocumentInfo& recipe) const;
+  // Catalogue + robot + recipe (above those that it nests) + environment, each where given.
   struct Stack {
     const store::DocumentInfo* robot = nullptr;
     const store::DocumentInfo* recipe = nullptr;

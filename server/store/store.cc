@@ -16,6 +16,8 @@ std::string_view ToString(DocumentKind kind) {
       return "object-model";
     case DocumentKind::kPrior:
       return "prior";
+    case DocumentKind::kSkillTemplate:
+      return "skill-template";
     case DocumentKind::kQuarantined:
       return "quarantined";
   }

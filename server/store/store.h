@@ -41,8 +41,16 @@ class BlobWriter {
 // --- Documents ------------------------------------------------------------------------------
 
 // kQuarantined: documents of the other kinds that are kept aside.
-enum class DocumentKind { kOntology, kRecipe, kRobot, kObjectModel, kPrior, kQuarantined };
-// "ontology", "recipe", "robot", "object-model", "prior", "quarantined"
+enum class DocumentKind {
+  kOntology,
+  kRecipe,
+  kRobot,
+  kObjectModel,
+  kPrior,
+  kSkillTemplate,
+  kQuarantined
+};
+// "ontology", "recipe", "robot", "object-model", "prior", "skill-template", "quarantined"
 std::string_view ToString(DocumentKind kind);
 
 // A name that a document answers to, beside its id.

@@ -27,15 +27,21 @@ nlohmann::json Schema() {
 }
 
 recipes::PlanResult LibraryPlan(const std::string& recipe, const std::string& task,
-                                const std::string& robot) {
+                                const std::string& robot,
+                                const recipes::PlanOptions& options = {}) {
   World world = Catalogue();
   world.PutFile("robot", Source("robots/models/" + robot + ".ttl"))
       .PutFile("recipe", Source("recipes/library/" + recipe + ".ttl"));
   return recipes::MakePlan(Engines(), world.view(),
                            "https://w3id.org/lares/recipes/" + recipe + "#" + task,
-                           "https://w3id.org/lares/robots/" + robot + "#" + robot + "1");
+                           "https://w3id.org/lares/robots/" + robot + "#" + robot + "1", options);
 }
-Plan SearchPlan() { return *LibraryPlan("object-search", "SearchForCup", "scout").plan; }
+recipes::PlanOptions ForACup() {
+  recipes::PlanOptions options;
+  options.set["object"] = "Cup";
+  return options;
+}
+Plan SearchPlan() { return *LibraryPlan("object-search", "ObjectSearch", "scout", ForACup()).plan; }
 Plan FetchPlan() { return *LibraryPlan("fetch-drink", "FetchDrink", "helper").plan; }
 
 // What the plan's graph does when the n-th skill run ends in its outcome number `choices[n]`.

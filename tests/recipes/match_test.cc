@@ -268,8 +268,8 @@ TEST(Match, TheDemonstrationRobotsDoWhatTheirBodiesAllow) {
     return recipes::Match(Engines(), world.view(), "https://w3id.org/lares/recipes/" + task,
                           "https://w3id.org/lares/robots/" + robot);
   };
-  EXPECT_TRUE(feasible("object-search#SearchForCup", "scout#scout1").feasible);
-  EXPECT_TRUE(feasible("object-search#SearchForCup", "helper#helper1").feasible);
+  EXPECT_TRUE(feasible("object-search#ObjectSearch", "scout#scout1").feasible);
+  EXPECT_TRUE(feasible("object-search#ObjectSearch", "helper#helper1").feasible);
   EXPECT_TRUE(feasible("fetch-drink#FetchDrink", "helper#helper1").feasible);
   const auto refused = feasible("fetch-drink#FetchDrink", "scout#scout1");
   EXPECT_FALSE(refused.feasible);

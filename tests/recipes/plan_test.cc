@@ -222,7 +222,7 @@ TEST(Plan, ATieIsAChoiceThatCanBeAnswered) {
 
 TEST(Plan, AnActionWithoutATemplateIsAProblem) {
   const auto result =
-      Make(PartialOrder({{"a", "lares:Speaking"}}, {}), {}, RobotText({"MobileBase"}, {}));
+      Make(PartialOrder({{"a", "lares:DownloadingData"}}, {}), {}, RobotText({"MobileBase"}, {}));
   ASSERT_TRUE(result.match.feasible);
   EXPECT_FALSE(result.plan);
   EXPECT_THAT(result.problems,
@@ -401,12 +401,14 @@ TEST(Plan, TheLibraryRecipesGivePlansInTheDemonstrationFlat) {
       .PutFile("fetch", Source("recipes/library/fetch-drink.ttl"));
   PlanOptions options;
   options.environment = "flat";
+  options.set["object"] = "Cup";
   const std::string robot = "https://w3id.org/lares/robots/helper#helper1";
   const auto search = recipes::MakePlan(Engines(), world.view(),
-                                        "https://w3id.org/lares/recipes/object-search#SearchForCup",
+                                        "https://w3id.org/lares/recipes/object-search#ObjectSearch",
                                         robot, options);
   ASSERT_PLAN(search);
   EXPECT_THAT(Ways(*search.plan), Contains("go-to-next-pose exhausted stop-vision +"));
+  options.set.clear();
   const auto fetch =
       recipes::MakePlan(Engines(), world.view(),
                         "https://w3id.org/lares/recipes/fetch-drink#FetchDrink", robot, options);
