@@ -71,15 +71,16 @@ bool Engine::IsTrivial(const rdf::Triple& triple) const {
                       p == words_.sub_property_of || p == words_.equivalent_property);
 }
 
-// Literals of different values are never made one: that they would be is the contradiction.
+// Literals of different values are never made one: that they would be is the contradiction. Nor is
+// one of known value made one with a literal whose value is not known (of another datatype, or
+// ill-typed): it would stand between two values, and which of them it joins would be a matter of
+// order. So all literals of one class without other terms are of one value, or of none known.
 void Engine::ConcludeSame(const rdf::Triple& same) {
   if (IsLiteral(same.subject) && IsLiteral(same.object)) {
     const auto first = rdf::ValueOf(dictionary_.Get(same.subject));
     const auto second = rdf::ValueOf(dictionary_.Get(same.object));
-    if (first && second) {
-      if (*first != *second) AddClash("eq-diff1", {same});
-      return;
-    }
+    if (first && second && *first != *second) AddClash("eq-diff1", {same});
+    if (first || second) return;
   }
   pending_classes_.emplace_back(same.subject, same.object);
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 #include <string>
 #include <thread>
@@ -55,6 +56,21 @@ TEST_F(MaterialiseTest, NothingFollowsFromNothing) {
   const rdf::View view = Close("");
   EXPECT_EQ(view.size(), 0U);
   EXPECT_EQ(Over(view, "").size(), 0U);
+}
+
+// Between two values there is a literal whose value nobody knows: it joins neither, whichever comes
+// first.
+TEST_F(MaterialiseTest, AnIllTypedLiteralMakesNoTwoValuesOne) {
+  const std::string schema = ":p a owl:FunctionalProperty . :b :q \"text\" . :c :q 1 . ";
+  const std::vector<std::string> values = {":a :p \"x\"^^xsd:integer . ", ":a :p \"text\" . ",
+                                           ":a :p 1 . "};
+  for (const auto& order : {std::array{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {2, 1, 0}}) {
+    rdf::View view = Close(schema);
+    for (const int i : order) view = Over(view, values[i]);
+    EXPECT_FALSE(Has(view, ":b :q 1"));
+    EXPECT_FALSE(Has(view, ":c :q \"text\""));
+    EXPECT_FALSE(Has(view, ":b :q \"x\"^^xsd:integer"));
+  }
 }
 
 TEST_F(MaterialiseTest, TheLayerBelowIsNotRepeated) {

@@ -84,13 +84,12 @@ class Naive {
     if (p == Sub() && (o == Owl("Thing") || s == Owl("Nothing"))) return;
     result_.triples.insert({s, p, o});
   }
-  // Never the same: the contradiction, if that is said.
+  // Never made the same: the contradiction, if that is said of two known values.
   bool AreDifferentValues(TermId a, TermId b) {
     if (!IsLiteral(a) || !IsLiteral(b)) return false;
     const auto first = rdf::ValueOf(dictionary_.Get(a)), second = rdf::ValueOf(dictionary_.Get(b));
-    const bool differ = first && second && *first != *second;
-    if (differ) Clash("eq-diff1");
-    return differ;
+    if (first && second && *first != *second) Clash("eq-diff1");
+    return first != second;
   }
   void Clash(const char* rule) { result_.clashes.insert(rule); }
 
