@@ -78,9 +78,10 @@ void SaveLayers(Remote& remote, Json& package, const fs::path& folder) {
   }
 }
 
-// The same plan as a behaviour tree: asked for the version that `plan` was made for.
-std::string BehaviourTree(Remote& remote, Json request, const Json& plan) {
-  if (plan.at("environment").is_object()) request["version"] = plan["environment"].at("version");
+// The same plan as a behaviour tree: asked for the version that the package is of.
+std::string BehaviourTree(Remote& remote, Json request, const Json& package) {
+  const Json& environment = package.at("environment");
+  if (environment.is_object()) request["version"] = environment.at("version");
   http::ClientRequest sent{"POST", "/v1/plans", {{"as", "bt-xml"}}, {}, request.dump()};
   sent.headers.Set("Content-Type", "application/json");
   return remote.Send(sent).body;
@@ -126,7 +127,7 @@ void SavePackage(Remote& remote, const Json& request, const std::string& answer,
   SaveGrid(remote, package, folder);
   SaveLayers(remote, package, folder);
   WriteFileAtomically(folder / "plan.json", plan.dump(2) + "\n");
-  WriteFileAtomically(folder / "plan.xml", BehaviourTree(remote, request, plan));
+  WriteFileAtomically(folder / "plan.xml", BehaviourTree(remote, request, package));
   WriteFileAtomically(folder / "package.json", package.dump(2) + "\n");
   CheckPackageFolder(out);  // nobody else filled it meanwhile
   PublishFolder(temporary.path(), target);
