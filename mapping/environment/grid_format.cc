@@ -65,22 +65,14 @@ std::string ImagePath(const Description& description, const MapYaml& map,
       .generic_string();
 }
 
-struct Cells {
-  std::uint64_t occupied = 0, free = 0;
-};
-
-PgmHeader ReadImage(TarReader archive, const std::string& path, const MapYaml& map, Cells& cells,
-                    const std::string& name) {
+PgmHeader ReadImage(TarReader archive, const std::string& path,
+                    const std::function<void(double)>& visit, const std::string& name) {
   while (const std::optional<TarEntry> entry = archive.Next()) {
     if (entry->path != path) continue;
     ByteReader reader(
         [&](char* into, std::size_t capacity) { return archive.Read(into, capacity); },
         name + "/" + path);
-    return ReadPgm(reader, [&](double grey) {
-      const double occupied = map.negate ? grey : 1 - grey;
-      if (occupied > map.occupied_thresh) ++cells.occupied;
-      if (occupied < map.free_thresh) ++cells.free;
-    });
+    return ReadPgm(reader, visit);
   }
   Fail(name, "the archive does not hold the image '" + Excerpt(path) + "' that its YAML names");
 }
@@ -101,13 +93,24 @@ std::array<double, 6> ToBounds(const MapYaml& map, const PgmHeader& image) {
 
 }  // namespace
 
-LayerFacts CheckGrid(const std::function<TarReader()>& open, const std::string& name) {
+GridImage ReadGridImage(const std::function<TarReader()>& open, const std::string& name,
+                        const std::function<void(Occupancy)>& visit) {
   const Description description = FindYaml(open(), name);
   const std::string yaml_source = name + "/" + description.path;
-  const MapYaml map = ReadMapYaml(description.text, yaml_source);
-  Cells cells;
-  const PgmHeader image =
-      ReadImage(open(), ImagePath(description, map, yaml_source), map, cells, name);
+  GridImage grid;
+  grid.map = ReadMapYaml(description.text, yaml_source);
+  grid.image = ReadImage(
+      open(), ImagePath(description, grid.map, yaml_source),
+      [&](double grey) { visit(OccupancyOf(grid.map, grey)); }, name);
+  return grid;
+}
+
+LayerFacts CheckGrid(const std::function<TarReader()>& open, const std::string& name) {
+  std::uint64_t occupied = 0, free = 0;
+  const auto [map, image] = ReadGridImage(open, name, [&](Occupancy cell) {
+    if (cell == Occupancy::kOccupied) ++occupied;
+    if (cell == Occupancy::kFree) ++free;
+  });
   constexpr const char* kModes[] = {"trinary", "scale", "raw"};
   LayerFacts facts;
   facts.media_type = "application/x-tar";
@@ -115,8 +118,8 @@ LayerFacts CheckGrid(const std::function<TarReader()>& open, const std::string& 
                  {"width_px", std::to_string(image.width)},
                  {"height_px", std::to_string(image.height)},
                  {"mode", kModes[static_cast<std::size_t>(map.mode)]},
-                 {"occupied_cells", std::to_string(cells.occupied)},
-                 {"free_cells", std::to_string(cells.free)}};
+                 {"occupied_cells", std::to_string(occupied)},
+                 {"free_cells", std::to_string(free)}};
   facts.bounds_m = ToBounds(map, image);
   return facts;
 }

@@ -4,6 +4,8 @@
 #include <functional>
 
 #include "mapping/environment/layer_format.h"
+#include "mapping/environment/map_yaml.h"
+#include "mapping/environment/pgm.h"
 #include "mapping/environment/tar_reader.h"
 
 namespace lares::environment {
@@ -13,5 +15,13 @@ namespace lares::environment {
 // wants it, or its image is outside the archive, missing, or no whole PGM. Bounds are those of the
 // image in the map frame, turned by the origin's yaw. Memory is constant.
 LayerFacts CheckGrid(const std::function<TarReader()>& open, const std::string& name);
+
+struct GridImage {
+  MapYaml map;
+  PgmHeader image;
+};
+// The same, and calls `visit` for each pixel, the first (topmost) row first.
+GridImage ReadGridImage(const std::function<TarReader()>& open, const std::string& name,
+                        const std::function<void(Occupancy)>& visit);
 
 }  // namespace lares::environment

@@ -99,6 +99,16 @@ MapYaml::Mode ReadMode(const Reader& reader) {
 
 }  // namespace
 
+Occupancy OccupancyOf(const MapYaml& map, double grey) {
+  double occupied = map.negate ? grey : 1 - grey;
+  if (map.mode == MapYaml::Mode::kRaw) {
+    occupied = std::round(grey * 255) / 100;
+    if (occupied > 1) return Occupancy::kUnknown;
+  }
+  if (occupied > map.occupied_thresh) return Occupancy::kOccupied;
+  return occupied < map.free_thresh ? Occupancy::kFree : Occupancy::kUnknown;
+}
+
 MapYaml ReadMapYaml(std::string_view text, const std::string& source) {
   const Reader reader(text, source);
   MapYaml map;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,12 @@ struct MapYaml {
   double free_thresh = 0;
   Mode mode = Mode::kTrinary;
 };
+
+enum class Occupancy : std::uint8_t { kUnknown, kFree, kOccupied };
+
+// What a pixel says, `grey` in 0–1 (black–white). Between the thresholds is unknown, also of mode
+// `scale`; mode `raw` has per cents of occupancy, and unknown above 100.
+Occupancy OccupancyOf(const MapYaml& map, double grey);
 
 // As nav2's map_server: all keys but `mode` must be there, unknown ones are ignored. Beyond it:
 // numbers must be finite, 0 ≤ free_thresh < occupied_thresh ≤ 1, the resolution positive. Throws

@@ -15,18 +15,15 @@ namespace lares::environment {
 namespace {
 
 constexpr int kMaxDepth = 16;
+static_assert(kOctomapSide == 1U << kMaxDepth);
 constexpr std::size_t kMaxHeaderLine = 1024;
 constexpr int kMaxHeaderLines = 256;
 constexpr char kBinaryStart[] = "# Octomap OcTree binary file";
 constexpr char kFullStart[] = "# Octomap OcTree file";
 static_assert(std::endian::native == std::endian::little, "log-odds are read as they stand");
 
-struct Header {
-  bool binary = false;
-  std::string id;
-  std::uint64_t size = 0;
-  double resolution_m = 0;
-};
+using Header = OctomapHeader;
+using LeafVisitor = std::function<void(const OctomapHeader&, const OctomapLeaf&)>;
 
 // A cube of voxels: its lowest corner as voxel indices from the tree's lowest corner.
 struct Cube {
@@ -39,22 +36,6 @@ struct Cube {
     const std::uint32_t half = edge() / 2;
     return {x + (index & 1 ? half : 0), y + (index & 2 ? half : 0), z + (index & 4 ? half : 0),
             depth + 1};
-  }
-};
-
-// What the traversal adds up.
-struct Tally {
-  std::uint64_t nodes = 0, occupied = 0, free = 0;
-  std::uint32_t low[3] = {UINT32_MAX, UINT32_MAX, UINT32_MAX};
-  std::uint32_t high[3] = {0, 0, 0};
-
-  void AddOccupied(const Cube& cube) {
-    ++occupied;
-    const std::uint32_t corner[3] = {cube.x, cube.y, cube.z};
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], corner[axis]);
-      high[axis] = std::max(high[axis], corner[axis] + cube.edge());
-    }
   }
 };
 
@@ -81,8 +62,8 @@ void ReadHeaderLine(ByteReader& reader, std::string_view line, Header& header) {
 Header ReadHeader(ByteReader& reader) {
   const std::string_view front = reader.PeekFront(512);
   Header header;
-  header.binary = front.starts_with(kBinaryStart);
-  if (!header.binary && !front.starts_with(kFullStart)) {
+  header.is_binary = front.starts_with(kBinaryStart);
+  if (!header.is_binary && !front.starts_with(kFullStart)) {
     reader.Fail(NotA("an OctoMap file", front));
   }
   bool has_data = false;
@@ -112,12 +93,14 @@ std::size_t PayloadBytes(const ByteReader& reader, const Header& header) {
 
 class Traversal {
  public:
-  Traversal(ByteReader& reader, const Header& header) : reader_(reader), header_(header) {
+  Traversal(ByteReader& reader, const Header& header, const LeafVisitor& visit)
+      : reader_(reader), header_(header), visit_(visit) {
     payload_ = PayloadBytes(reader, header);
   }
 
-  Tally Run() {
-    if (header_.size == 0) return tally_;
+  // The number of nodes.
+  std::uint64_t Run() {
+    if (header_.size == 0) return 0;
     Visit(Cube{});
     while (depth_ >= 0) {
       Inner& inner = stack_[depth_];
@@ -127,13 +110,13 @@ class Traversal {
       }
       const int child = inner.next_child++;
       const Cube cube = inner.cube.Child(child);
-      if (header_.binary) {
+      if (header_.is_binary) {
         VisitBinaryChild((inner.bits >> (2 * child)) & 3, cube);
       } else if ((inner.bits >> child & 1) != 0) {
         Visit(cube);
       }
     }
-    return tally_;
+    return nodes_;
   }
 
  private:
@@ -148,14 +131,13 @@ class Traversal {
     if (state == 0) return;
     if (state == 3) return Visit(cube);
     CountNode();
-    if (state == 1) ++tally_.free;
-    if (state == 2) tally_.AddOccupied(cube);
+    VisitLeaf(cube, state == 2);
   }
 
   // A node that has bytes of its own: every node of .ot, the inner ones of .bt.
   void Visit(const Cube& cube) {
     CountNode();
-    return header_.binary ? VisitBinary(cube) : VisitFull(cube);
+    return header_.is_binary ? VisitBinary(cube) : VisitFull(cube);
   }
 
   void VisitBinary(const Cube& cube) {
@@ -174,11 +156,11 @@ class Traversal {
     if (!std::isfinite(log_odds)) Fail("the log-odds of a node are not a finite number");
     const unsigned bits = bytes[4 + payload_];
     if (bits != 0) return Push(cube, bits);
-    if (log_odds >= 0) {
-      tally_.AddOccupied(cube);
-    } else {
-      ++tally_.free;
-    }
+    VisitLeaf(cube, log_odds >= 0);
+  }
+
+  void VisitLeaf(const Cube& cube, bool is_occupied) const {
+    visit_(header_, {cube.x, cube.y, cube.z, cube.edge(), is_occupied});
   }
 
   void Push(const Cube& cube, unsigned bits) {
@@ -188,7 +170,7 @@ class Traversal {
   }
 
   void CountNode() {
-    if (++tally_.nodes > header_.size) {
+    if (++nodes_ > header_.size) {
       Fail("there are more nodes than the " + std::to_string(header_.size) +
            " that the header says");
     }
@@ -196,7 +178,7 @@ class Traversal {
 
   void ReadExactly(unsigned char* into, std::size_t count) {
     if (!reader_.Read(reinterpret_cast<char*>(into), count)) {
-      Fail("the file ends in node " + std::to_string(tally_.nodes) + " of " +
+      Fail("the file ends in node " + std::to_string(nodes_) + " of " +
            std::to_string(header_.size));
     }
   }
@@ -205,34 +187,61 @@ class Traversal {
 
   ByteReader& reader_;
   const Header& header_;
+  const LeafVisitor& visit_;
   std::size_t payload_ = 0;
   Inner stack_[kMaxDepth];
   int depth_ = -1;  // of the stack's top
-  Tally tally_;
+  std::uint64_t nodes_ = 0;
+};
+
+// What a check adds up.
+struct Tally {
+  std::uint64_t occupied = 0, free = 0;
+  std::uint32_t low[3] = {UINT32_MAX, UINT32_MAX, UINT32_MAX};
+  std::uint32_t high[3] = {0, 0, 0};
+
+  void Add(const OctomapLeaf& leaf) {
+    if (!leaf.is_occupied) {
+      ++free;
+      return;
+    }
+    ++occupied;
+    const std::uint32_t corner[3] = {leaf.x, leaf.y, leaf.z};
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], corner[axis]);
+      high[axis] = std::max(high[axis], corner[axis] + leaf.edge);
+    }
+  }
 };
 
 }  // namespace
 
-LayerFacts CheckOctomap(ByteReader& reader) {
+OctomapHeader ReadOctomap(ByteReader& reader, const LeafVisitor& visit) {
   const Header header = ReadHeader(reader);
-  const Tally tally = Traversal(reader, header).Run();
-  if (tally.nodes != header.size) {
-    reader.Fail("the tree has " + std::to_string(tally.nodes) + " nodes, the header says " +
+  const std::uint64_t nodes = Traversal(reader, header, visit).Run();
+  if (nodes != header.size) {
+    reader.Fail("the tree has " + std::to_string(nodes) + " nodes, the header says " +
                 std::to_string(header.size));
   }
   if (reader.Peek() >= 0) reader.Fail("bytes follow the last node");
+  return header;
+}
 
+LayerFacts CheckOctomap(ByteReader& reader) {
+  Tally tally;
+  const Header header =
+      ReadOctomap(reader, [&](const Header&, const OctomapLeaf& leaf) { tally.Add(leaf); });
   LayerFacts facts;
   facts.media_type = "application/x-octomap";
-  facts.facts = {{"format", header.binary ? "bt" : "ot"},
+  facts.facts = {{"format", header.is_binary ? "bt" : "ot"},
                  {"tree", header.id},
                  {"resolution_m", ToText(header.resolution_m)},
-                 {"nodes", std::to_string(tally.nodes)},
+                 {"nodes", std::to_string(header.size)},
                  {"occupied_leaves", std::to_string(tally.occupied)},
                  {"free_leaves", std::to_string(tally.free)}};
   if (tally.occupied == 0) return facts;
   facts.bounds_m.emplace();
-  constexpr double kOriginVoxel = 1 << (kMaxDepth - 1);
+  constexpr double kOriginVoxel = kOctomapOrigin;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     (*facts.bounds_m)[axis] = (tally.low[axis] - kOriginVoxel) * header.resolution_m;
     (*facts.bounds_m)[axis + 3] = (tally.high[axis] - kOriginVoxel) * header.resolution_m;

@@ -16,6 +16,7 @@ http::Router MakeRouter(Context& context) {
   AddEnvironmentRoutes(router, context);
   AddEnvironmentUploadRoute(router, context);
   AddEnvironmentDownloadRoutes(router, context);
+  AddRobotGridRoutes(router, context);
   AddQuarantineRoutes(router, context);
   AddPlanRoutes(router, context);
   AddLikelyPlaceRoutes(router, context);

@@ -33,6 +33,7 @@ struct Context {
 void AddOntologyRoutes(http::Router& router, Context& context);
 void AddPriorRoutes(http::Router& router, Context& context);
 void AddRecipeRoutes(http::Router& router, Context& context);
+void AddRobotGridRoutes(http::Router& router, Context& context);
 void AddRobotRoutes(http::Router& router, Context& context);
 void AddSkillTemplateRoutes(http::Router& router, Context& context);
 void AddObjectModelRoutes(http::Router& router, Context& context);

@@ -4,6 +4,7 @@
 #include "recipes/plan/export.h"
 #include "server/api/answers.h"
 #include "server/api/context.h"
+#include "server/api/package.h"
 #include "server/http/media_type.h"
 #include "server/http/problem.h"
 
@@ -147,8 +148,8 @@ http::ProblemError Refusal(const server::PlanAnswer& answer) {
 
 http::Response MakePlan(const http::Request& request, Context& context) {
   const Format& format = ChooseFormat(request);
-  const server::PlanAnswer answer =
-      context.knowledge.MakePlan(ReadPlanRequest(http::ReadWholeBody(request, kMaxPlanRequest)));
+  const server::PlanRequest asked = ReadPlanRequest(http::ReadWholeBody(request, kMaxPlanRequest));
+  const server::PlanAnswer answer = context.knowledge.MakePlan(asked);
   if (!answer.result.plan) throw Refusal(answer);
   http::Response response;
   response.headers.Set("Content-Type", std::string(format.media_type) == "text/plain"
@@ -156,6 +157,11 @@ http::Response MakePlan(const http::Request& request, Context& context) {
                                            : format.media_type);
   response.headers.Set("Vary", "Accept");
   response.body = Write(*answer.result.plan, format.name);
+  if (format.name == std::string("json")) {
+    PlainJson plan = recipes::ToJson(*answer.result.plan);
+    plan["package"] = ToJson(context.knowledge.MakePackage(asked, *answer.result.plan));
+    response.body = plan.dump(2) + "\n";
+  }
   return response;
 }
 

@@ -1,18 +1,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "base/file.h"
-#include "base/hash.h"
-#include "base/text.h"
 #include "server/api/layer_files.h"
 #include "server/cli/command.h"
-#include "server/cli/grid_files.h"
+#include "server/cli/download.h"
 #include "server/cli/print.h"
-#include "server/cli/progress.h"
 #include "server/cli/temporary_folder.h"
 
 namespace lares::cli {
@@ -27,41 +23,6 @@ struct GetOptions {
   std::string out;
 };
 
-// One layer into `file`, streamed, its hash checked.
-void Download(Remote& remote, const std::string& path, const Json& layer, const fs::path& file) {
-  std::ofstream out(file, std::ios::binary | std::ios::trunc);
-  Sha256 hash;
-  ProgressBar bar("receiving " + TextOf(layer, "name"));
-  http::Transfer transfer;
-  transfer.downloaded = [&bar](std::uint64_t done, std::uint64_t all) { bar.Show(done, all); };
-  transfer.sink = [&](std::string_view piece) {
-    hash.Update(piece);
-    out.write(piece.data(), static_cast<std::streamsize>(piece.size()));
-    if (!out) throw Error(Code::kIo, "cannot write '" + file.string() + "'");
-  };
-  remote.Send({"GET", path, {}, {}, {}}, transfer);
-  out.close();
-  if (!out) throw Error(Code::kIo, "cannot write '" + file.string() + "'");
-  if (hash.FinishHex() != TextOf(layer, "sha256")) {
-    throw Error(Code::kIo, "layer " + TextOf(layer, "name") +
-                               " arrived damaged: its SHA-256 is not the manifest's");
-  }
-}
-
-// The file's name below the output folder.
-std::string SaveLayer(Remote& remote, const std::string& version_path, const Json& layer,
-                      const fs::path& folder) {
-  const std::string name = TextOf(layer, "name");
-  if (!IsIdentifier(name)) throw Error(Code::kIo, "the manifest names a layer '" + name + "'");
-  const std::string file_name =
-      api::LayerFileName(name, TextOf(layer, "file_name"), TextOf(layer, "media_type"));
-  Download(remote, PathOf(version_path + "/layers", {name}), layer, folder / file_name);
-  if (name != "grid") return file_name;
-  UnpackGrid(folder / file_name, folder / "grid");
-  fs::remove(folder / file_name);
-  return "grid/";
-}
-
 // An earlier download may be replaced, anything else may not.
 void CheckTarget(const fs::path& out) {
   if (!fs::exists(out) || (fs::is_directory(out) && fs::is_empty(out)) ||
@@ -72,29 +33,16 @@ void CheckTarget(const fs::path& out) {
       .WithHint("name a folder that is new or empty");
 }
 
-// The finished folder takes the place of `out` in one step.
-void Publish(const fs::path& finished, const fs::path& out) {
-  const fs::path ready = finished / "content";
-  fs::permissions(ready,
-                  fs::perms::others_read | fs::perms::others_exec | fs::perms::group_read |
-                      fs::perms::group_exec,
-                  fs::perm_options::add);
-  if (fs::exists(out)) fs::rename(out, finished / "before");
-  fs::rename(ready, out);
-  SyncFolder(out);
-  SyncFolder(finished.parent_path());
-}
-
 void Get(const GetOptions& get, const Options& options) {
   Remote remote(options.server);
-  const fs::path out = fs::absolute(get.out).lexically_normal();
-  const fs::path target = out.has_filename() ? out : out.parent_path();
+  const fs::path target = TargetFolder(get.out);
   CheckTarget(target);
   const std::string asked = get.version > 0 ? std::to_string(get.version) : "latest";
   Json manifest = remote.GetJson(PathOf("/v1/environments", {get.id, "versions", asked}));
   const std::string version_path = PathOf(
       "/v1/environments", {get.id, "versions", std::to_string(manifest.at("number").get<int>())});
   Json kept = Json::array();
+  const StopOnSignal stop_on_signal;
   fs::create_directories(target.parent_path());
   const TemporaryFolder temporary(target.parent_path(), ".lares-get-");
   const fs::path folder = temporary.path() / "content";
@@ -121,7 +69,7 @@ void Get(const GetOptions& get, const Options& options) {
   }
   manifest["layers"] = std::move(kept);
   WriteFileAtomically(folder / api::kManifestFile, manifest.dump(2) + "\n");
-  Publish(temporary.path(), target);
+  PublishFolder(temporary.path(), target);
   if (options.json) return PrintJson(manifest);
   Print("environment " + get.id + ", version " + std::to_string(manifest.value("number", 0)) +
         ", in " + get.out + "\n" + text + "  " + api::kManifestFile + "\n");

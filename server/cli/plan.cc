@@ -4,6 +4,7 @@
 #include "base/file.h"
 #include "server/cli/command.h"
 #include "server/cli/exit_codes.h"
+#include "server/cli/plan_package.h"
 #include "server/cli/print.h"
 
 namespace lares::cli {
@@ -22,6 +23,7 @@ struct PlanOptions {
   std::string from;
   std::vector<std::string> done;
   std::string out;
+  std::string package;
 };
 
 // "--object Cup" for a recipe's parameter "object", as "--set object=Cup".
@@ -82,11 +84,12 @@ void PrintRefusal(const RemoteError& error) {
 }
 
 void MakePlan(const PlanOptions& plan, const Options& options) {
+  if (!plan.package.empty()) CheckPackageFolder(plan.package);
   Remote remote(options.server);
   http::ClientRequest request;
   request.method = "POST";
   request.path = "/v1/plans";
-  request.query.emplace("as", options.json ? "json" : plan.as);
+  request.query.emplace("as", options.json || !plan.package.empty() ? "json" : plan.as);
   request.headers.Set("Content-Type", "application/json");
   request.body = RequestBody(plan).dump();
   http::ClientResponse response;
@@ -95,6 +98,9 @@ void MakePlan(const PlanOptions& plan, const Options& options) {
   } catch (const RemoteError& error) {
     if (ExitCodeOf(error.problem_code()) == ExitCode::kNoPlan && !options.json) PrintRefusal(error);
     throw;
+  }
+  if (!plan.package.empty()) {
+    return SavePackage(remote, RequestBody(plan), response.body, plan.package, options);
   }
   if (plan.out.empty()) return Print(response.body);
   WriteFileAtomically(plan.out, response.body);
@@ -110,7 +116,8 @@ void AddPlan(CLI::App& app, Options& options) {
       "  lares plan FindBottle --robot pioneer --environment hospital-room --as bt-xml --out "
       "plan.xml\n"
       "  lares plan ObjectSearch --object Cup --robot scout --environment flat\n"
-      "  lares plan FindBottle --robot PR2 --as dot | dot -Tsvg > plan.svg");
+      "  lares plan FindBottle --robot PR2 --as dot | dot -Tsvg > plan.svg\n"
+      "  lares plan FindBottle --robot pioneer --environment hospital-room --package mission");
   auto plan = std::make_shared<PlanOptions>();
   command->add_option("TASK", plan->task, "recipe's id, or the task's IRI, label or local name")
       ->required();
@@ -137,6 +144,12 @@ void AddPlan(CLI::App& app, Options& options) {
   command->add_option("--server", options.server, "address of the server")->group("General");
   command->add_flag("--json", options.json, "print the server's JSON")->group("General");
   command->add_option("--out", plan->out, "file to write instead of standard output");
+  command
+      ->add_option("--package", plan->package,
+                   "folder to write the plan into with all that it needs: object models, a grid "
+                   "for this robot, the environment's layers")
+      ->excludes("--out")
+      ->excludes("--as");
   command->callback([=, &options] {
     TakeParameters(command->remaining(), *plan);
     MakePlan(*plan, options);

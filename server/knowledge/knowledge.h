@@ -19,6 +19,7 @@
 #include "recipes/plan/plan.h"
 #include "recipes/skill/skill_template.h"
 #include "server/knowledge/changes.h"
+#include "server/knowledge/package.h"
 #include "server/store/store.h"
 
 namespace lares::server {
@@ -172,6 +173,15 @@ class Knowledge {
   // The skill templates that plans are made of, stored ones included.
   std::vector<recipes::SkillTemplate> SkillTemplates();
   PlanAnswer MakePlan(const PlanRequest& request);
+  // What the robot takes along for `plan`, which MakePlan made of `request`. Without a grid where
+  // none can be made; the reason is in it.
+  TaskPackage MakePackage(const PlanRequest& request, const recipes::Plan& plan);
+  // The grid of an environment's version (0: newest) for a robot's body; from the octomap layer
+  // where it can be cut, else from the grid layer. Throws kNotFound without either layer, and as
+  // volume::CutOctomap and grid::ReadGrid.
+  std::shared_ptr<const RobotGrid> MakeRobotGrid(const std::string& robot,
+                                                 const std::string& environment,
+                                                 int environment_version);
   // Every stored robot that could do `task`.
   std::vector<recipes::Resource> CapableRobots(const std::string& task, bool strict);
   WhereAnswer Where(const WhereRequest& request);

@@ -13,6 +13,7 @@
 #include "server/knowledge/catalogue.h"
 #include "server/knowledge/consistency.h"
 #include "server/knowledge/overlays.h"
+#include "server/knowledge/robot_grids.h"
 
 namespace lares::server {
 
@@ -47,6 +48,8 @@ struct Knowledge::State {
 
   std::mutex priors_mutex;
   std::map<std::string, std::shared_ptr<const PlaceTables>> priors;  // by name@version#generation
+
+  RobotGrids robot_grids;
 
   std::shared_ptr<const CatalogueState> catalogue() const {
     const std::shared_lock lock(catalogue_mutex);

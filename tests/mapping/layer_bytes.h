@@ -66,7 +66,9 @@ struct TarFile {
 };
 
 inline std::string MakeTar(const std::vector<TarFile>& files) {
-  std::string tar(1 << 20, '\0');
+  std::size_t room = 1 << 20;
+  for (const TarFile& file : files) room += file.bytes.size();
+  std::string tar(room, '\0');
   std::size_t used = 0;
   struct archive* writer = archive_write_new();
   archive_write_set_format_ustar(writer);

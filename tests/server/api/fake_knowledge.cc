@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/hash.h"
 #include "ontology/rdf/reader.h"
 #include "recipes/plan/export.h"
 
@@ -135,6 +136,45 @@ PlanAnswer Knowledge::MakePlan(const PlanRequest& request) {
   plan.robot = {"urn:" + request.robot, request.robot, ""};
   answer.result.plan = plan;
   return answer;
+}
+
+TaskPackage Knowledge::MakePackage(const PlanRequest& request, const recipes::Plan&) {
+  TaskPackage package;
+  package.robot = request.robot;
+  package.no_grid = "the plan was made for no environment";
+  if (request.environment.empty()) return package;
+  package.environment = request.environment;
+  const store::EnvironmentVersion version =
+      state_->store.GetVersion(request.environment, request.environment_version);
+  package.environment_version = version.number;
+  package.layers = version.layers;
+  package.grid = MakeRobotGrid(request.robot, request.environment, version.number);
+  for (const ObjectModelInfo& info : ObjectModels("")) {
+    PackageModel model{info.document, info.classes, {}, {"because"}};
+    const auto details = nlohmann::json::parse(info.document.details_json);
+    for (const auto& file : details.value("files", nlohmann::json::array())) {
+      model.files.push_back(
+          {file["file_name"], file["media_type"], {file["sha256"], file["size"]}});
+    }
+    package.models.push_back(model);
+  }
+  package.reasons = {"because"};
+  return package;
+}
+
+std::shared_ptr<const RobotGrid> Knowledge::MakeRobotGrid(const std::string& robot,
+                                                          const std::string& environment, int) {
+  if (robot == "nobody") throw Error(Code::kNotFound, "no robot is called 'nobody'");
+  auto grid = std::make_shared<RobotGrid>();
+  grid->yaml = "image: map.pgm\n# of " + robot + " in " + environment + "\n";
+  grid->pgm = "P5\n2 1\n255\nab";
+  grid->yaml_sha256 = Sha256Hex(grid->yaml);
+  grid->pgm_sha256 = Sha256Hex(grid->pgm);
+  grid->layer = "octomap";
+  grid->heights_m = {0.1, 1.4};
+  grid->width = 2;
+  grid->height = 1;
+  return grid;
 }
 
 WhereAnswer Knowledge::Where(const WhereRequest& request) {

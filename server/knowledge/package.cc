@@ -1,0 +1,350 @@
+// The task package: models, grid and layers that a plan needs on board.
+#include "server/knowledge/package.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "base/hash.h"
+#include "mapping/grid/inflate.h"
+#include "mapping/grid/map_files.h"
+#include "mapping/grid/read_grid.h"
+#include "mapping/volume/cut.h"
+#include "ontology/rdf/vocabulary.h"
+#include "robots/body/robot_body.h"
+#include "server/knowledge/knowledge.h"
+#include "server/knowledge/state.h"
+
+namespace lares::server {
+namespace {
+
+std::string Metres(double length_m) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.4g m", length_m);
+  return text;
+}
+
+const store::LayerInfo* FindLayer(const store::EnvironmentVersion& version,
+                                  const std::string& name) {
+  const auto found = std::find_if(version.layers.begin(), version.layers.end(),
+                                  [&](const auto& layer) { return layer.name == name; });
+  return found == version.layers.end() ? nullptr : &*found;
+}
+
+// --- The grid --------------------------------------------------------------------------------
+
+RobotGrid WriteGrid(const grid::Grid& plain, const robots::Clearance& body,
+                    const store::LayerInfo& layer, std::vector<std::string> reasons) {
+  const grid::Grid grid = body.radius_m > 0 ? grid::Inflate(plain, body.radius_m) : plain;
+  RobotGrid made;
+  made.yaml = grid::ToMapYaml(grid, kGridImageFile);
+  made.pgm = grid::ToPgm(grid);
+  made.yaml_sha256 = Sha256Hex(made.yaml);
+  made.pgm_sha256 = Sha256Hex(made.pgm);
+  made.layer = layer.name;
+  made.layer_sha256 = layer.blob.sha256;
+  made.radius_m = body.radius_m;
+  made.resolution_m = grid.resolution_m;
+  made.width = grid.width;
+  made.height = grid.height;
+  made.bounds_m = grid::BoundsOf_m(grid);
+  made.cells = grid::Count(grid);
+  made.reasons = std::move(reasons);
+  return made;
+}
+
+RobotGrid FromOctomap(const store::Store& store, const store::LayerInfo& layer,
+                      const robots::Clearance& body) {
+  volume::CutOptions options;
+  options.heights = {body.low_m, body.high_m};
+  const std::filesystem::path file = store.BlobPath(layer.blob.sha256);
+  const volume::GridCut cut = volume::CutOctomap(
+      [&] { return environment::ByteReader::OfFile(file, layer.file_name); }, options);
+  RobotGrid made = WriteGrid(
+      cut.grid, body, layer,
+      {"the grid is the octomap layer cut between " + Metres(body.low_m) + " and " +
+       Metres(body.high_m) + " above z = 0 of the map, which are the whole layers of " +
+       Metres(cut.voxel_m) + " voxels from " + Metres(cut.layers.low_m) + " to " +
+       Metres(cut.layers.high_m) + "; a cell is free where every one of them is known to be"});
+  made.heights_m = {cut.layers.low_m, cut.layers.high_m};
+  return made;
+}
+
+RobotGrid FromGrid(const store::Store& store, const store::LayerInfo& layer,
+                   const robots::Clearance& body, const std::string& why) {
+  const std::filesystem::path file = store.BlobPath(layer.blob.sha256);
+  const grid::Grid grid = grid::ReadGrid(
+      [&] { return environment::TarReader::OfFile(file, layer.file_name); }, layer.file_name);
+  return WriteGrid(grid, body, layer,
+                   {"the grid is the environment's own grid layer, for " + why +
+                    ": at which heights it was made is not known"});
+}
+
+// What the same layer and body give the same grid for.
+std::string KeyOf(const store::LayerInfo& layer, const robots::Clearance& body) {
+  char text[96];
+  std::snprintf(text, sizeof text, "%.17g %.17g %.17g", body.radius_m, body.low_m, body.high_m);
+  return layer.blob.sha256 + " " + text;
+}
+
+// The version has one of the two layers.
+RobotGrid MakeGrid(const store::Store& store, const store::EnvironmentVersion& version,
+                   const robots::Clearance& body) {
+  const store::LayerInfo* octomap = FindLayer(version, "octomap");
+  const store::LayerInfo* grid = FindLayer(version, "grid");
+  if (octomap == nullptr) return FromGrid(store, *grid, body, "there is no octomap layer");
+  try {
+    return FromOctomap(store, *octomap, body);
+  } catch (const Error& error) {
+    if (grid == nullptr) throw;
+    return FromGrid(store, *grid, body,
+                    "the octomap layer cannot be cut (" + error.FullMessage() + ")");
+  }
+}
+
+std::string KeyOf(const store::EnvironmentVersion& version, const robots::Clearance& body) {
+  std::string key;
+  for (const char* name : {"octomap", "grid"}) {
+    if (const store::LayerInfo* layer = FindLayer(version, name)) {
+      key += std::string(name) + " " + KeyOf(*layer, body) + "\n";
+    }
+  }
+  return key;
+}
+
+// Throws kNotFound when the version has neither layer, or as making the grid does.
+std::shared_ptr<const RobotGrid> GridFor(RobotGrids& grids, const store::Store& store,
+                                         const store::EnvironmentVersion& version,
+                                         const robots::Clearance& body) {
+  if (FindLayer(version, "octomap") == nullptr && FindLayer(version, "grid") == nullptr) {
+    throw Error(Code::kNotFound, "version " + std::to_string(version.number) + " of '" +
+                                     version.environment +
+                                     "' has neither an octomap nor a grid layer");
+  }
+  return grids.Get(KeyOf(version, body), [&] { return MakeGrid(store, version, body); });
+}
+
+// --- The models ------------------------------------------------------------------------------
+
+// A class of things that the robot has to recognise, or of places whose things it has to.
+struct Wanted {
+  rdf::TermId kind{};
+  bool is_place = false;
+  std::string why;  // "the step 'look for cup' needs its object_class"
+};
+
+std::vector<rdf::TermId> ClassesOf(const rdf::View& view, rdf::TermId term) {
+  const auto iri = [&](std::string_view space, const char* name) {
+    return view.dictionary().InternIri(std::string(space) + name);
+  };
+  const rdf::TermId type = iri(rdf::kRdf, "type");
+  if (view.Contains({term, type, iri(rdf::kOwl, "Class")})) return {term};
+  std::vector<rdf::TermId> classes;
+  view.ForEach(
+      {term, type, {}},
+      [&](const rdf::Triple& triple) {
+        const auto kind = view.dictionary().Get(triple.object);
+        if (kind.kind == rdf::TermKind::kIri && !kind.value.starts_with(rdf::kOwl)) {
+          classes.push_back(triple.object);
+        }
+        return true;
+      },
+      rdf::Origin::kAsserted);
+  return classes;
+}
+
+// From what the steps act on, in their order, each class once.
+std::vector<Wanted> FindWanted(const rdf::View& view, const CatalogueState& catalogue,
+                               const recipes::Plan& plan) {
+  std::vector<Wanted> wanted;
+  std::set<rdf::TermId> seen;
+  for (const recipes::State& state : plan.states) {
+    for (const recipes::Parameter& input : state.inputs) {
+      const bool names_things = input.type == "class" || input.type == "designator";
+      const bool is_known = input.source != recipes::Parameter::Source::kRobot &&
+                            input.source != recipes::Parameter::Source::kStep;
+      const auto term = view.dictionary().FindIri(input.value);
+      if (!names_things || !is_known || !term) continue;
+      for (const rdf::TermId kind : ClassesOf(view, *term)) {
+        if (!seen.insert(kind).second) continue;
+        wanted.push_back({kind, IsPlace(catalogue, kind),
+                          "the step '" + state.label + "' needs it (" + input.name + ")"});
+      }
+    }
+  }
+  return wanted;
+}
+
+// What the table says is found in places of this kind.
+std::vector<std::string> TypicalOf(const rdf::View& view, const places::PriorTable& table,
+                                   rdf::TermId place) {
+  const rdf::TermId sub_class = view.dictionary().InternIri(std::string(rdf::kRdfs) + "subClassOf");
+  std::vector<std::string> objects;
+  for (const places::PriorRow& row : table.rows) {
+    const auto of = view.dictionary().FindIri(row.place);
+    const bool fits = of && (*of == place || view.Contains({*of, sub_class, place}));
+    if (fits && row.count > 0) objects.push_back(row.object);
+  }
+  std::sort(objects.begin(), objects.end());
+  objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
+  return objects;
+}
+
+class ModelChooser {
+ public:
+  ModelChooser(const rdf::View& view, std::vector<ObjectModelInfo> stored)
+      : view_(view),
+        sub_class_(view.dictionary().InternIri(std::string(rdf::kRdfs) + "subClassOf")),
+        stored_(std::move(stored)) {}
+
+  void ChooseForClass(const Wanted& wanted) {
+    const bool found = Choose(wanted.kind, wanted.why);
+    if (!found) {
+      reasons_.push_back("no object model is stored for " + view_.Label(wanted.kind) + ": " +
+                         wanted.why);
+    }
+  }
+
+  void ChooseForPlace(const Wanted& wanted, const std::vector<std::string>& typical,
+                      const std::string& table_title) {
+    const std::string place = view_.Label(wanted.kind);
+    bool found = false;
+    for (const std::string& object : typical) {
+      const auto kind = view_.dictionary().FindIri(object);
+      if (!kind) continue;
+      found |= Choose(*kind, view_.Label(*kind) + " is typical of " + place + " (" + table_title +
+                                 "), and " + wanted.why);
+    }
+    if (!found) {
+      reasons_.push_back((typical.empty() ? "nothing is known to be typical of "
+                                          : "no object model is stored of what is typical of ") +
+                         place + ": " + wanted.why);
+    }
+  }
+
+  std::vector<PackageModel> models() const {
+    std::vector<PackageModel> models;
+    for (const auto& [id, model] : chosen_) models.push_back(model);
+    return models;
+  }
+  const std::vector<std::string>& reasons() const { return reasons_; }
+
+ private:
+  bool Choose(rdf::TermId wanted, const std::string& why) {
+    bool found = false;
+    for (const ObjectModelInfo& info : stored_) {
+      for (const recipes::Resource& of : info.classes) {
+        const auto kind = view_.dictionary().FindIri(of.iri);
+        if (!kind) continue;
+        const bool is_same = *kind == wanted;
+        if (!is_same && !view_.Contains({*kind, sub_class_, wanted})) continue;
+        found = true;
+        const std::string sentence =
+            "object model " + info.document.id + " is of " + of.label +
+            (is_same ? "" : ", which is a kind of " + view_.Label(wanted)) + ": " + why;
+        PackageModel& model = chosen_[info.document.id];
+        if (model.document.id.empty()) Fill(info, model);
+        model.reasons.push_back(sentence);
+        reasons_.push_back(sentence);
+        break;
+      }
+    }
+    return found;
+  }
+
+  static void Fill(const ObjectModelInfo& info, PackageModel& model) {
+    model.document = info.document;
+    model.classes = info.classes;
+    const auto details = nlohmann::json::parse(info.document.details_json);
+    for (const auto& file : details.value("files", nlohmann::json::array())) {
+      model.files.push_back({file.at("file_name"),
+                             file.at("media_type"),
+                             {file.at("sha256"), file.at("size").get<std::uint64_t>()}});
+    }
+  }
+
+  const rdf::View& view_;
+  rdf::TermId sub_class_;
+  std::vector<ObjectModelInfo> stored_;
+  std::map<std::string, PackageModel> chosen_;
+  std::vector<std::string> reasons_;
+};
+
+// The document's id where it describes one robot, else the robot's IRI.
+std::string RouteNameOf(const Knowledge::Resolved& robot) {
+  std::set<std::string> described;
+  for (const store::DocumentName& name : robot.document.names) {
+    if (name.kind == "id") described.insert(name.target);
+  }
+  return described.size() == 1 ? robot.document.id : robot.target_iri;
+}
+
+void Append(std::vector<std::string>& to, const std::vector<std::string>& more) {
+  to.insert(to.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+std::shared_ptr<const RobotGrid> Knowledge::MakeRobotGrid(const std::string& robot,
+                                                          const std::string& environment,
+                                                          int environment_version) {
+  const Resolved resolved = Resolve(store::DocumentKind::kRobot, robot);
+  const store::EnvironmentVersion version =
+      state_->store.GetVersion(environment, environment_version);
+  const rdf::View view = state_->ViewOf({&resolved.document, nullptr, nullptr});
+  const robots::Clearance body =
+      robots::ClearanceOf(robots::ReadRobotBody(view, resolved.target_iri));
+  return GridFor(state_->robot_grids, state_->store, version, body);
+}
+
+TaskPackage Knowledge::MakePackage(const PlanRequest& request, const recipes::Plan& plan) {
+  const Resolved recipe = Resolve(store::DocumentKind::kRecipe, request.task);
+  const Resolved robot = Resolve(store::DocumentKind::kRobot, request.robot);
+  State::Stack stack{&robot.document, &recipe.document, nullptr};
+  std::optional<store::EnvironmentVersion> version;
+  if (!plan.environment.empty()) {
+    version = state_->store.GetVersion(plan.environment, plan.environment_version);
+    stack.environment = &*version;
+  }
+  const rdf::View view = state_->ViewOf(stack);
+  const auto catalogue = state_->catalogue();
+  TaskPackage package;
+  package.robot = RouteNameOf(robot);
+
+  ModelChooser chooser(view, ObjectModels(""));
+  for (const Wanted& wanted : FindWanted(view, *catalogue, plan)) {
+    if (!wanted.is_place) {
+      chooser.ChooseForClass(wanted);
+      continue;
+    }
+    const auto tables = FindPrior("lares");
+    chooser.ChooseForPlace(wanted, TypicalOf(view, tables->rooms, wanted.kind), tables->title);
+  }
+  package.models = chooser.models();
+  package.reasons = chooser.reasons();
+
+  if (!version) {
+    package.no_grid = "the plan was made for no environment";
+    package.reasons.push_back("there is no grid: " + package.no_grid);
+    return package;
+  }
+  package.environment = version->environment;
+  package.environment_version = version->number;
+  package.layers = version->layers;
+  const robots::Clearance body = robots::ClearanceOf(robots::ReadRobotBody(view, robot.target_iri));
+  try {
+    package.grid = GridFor(state_->robot_grids, state_->store, *version, body);
+    Append(package.reasons, package.grid->reasons);
+    Append(package.reasons, body.reasons);
+  } catch (const Error& error) {
+    if (error.code() == Code::kInternal) throw;
+    package.no_grid = error.FullMessage();
+    package.reasons.push_back("there is no grid: " + package.no_grid);
+  }
+  return package;
+}
+
+}  // namespace lares::server
