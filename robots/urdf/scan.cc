@@ -7,6 +7,7 @@
 #include "robots/urdf/gazebo.h"
 #include "robots/urdf/reading.h"
 #include "robots/urdf/structure.h"
+#include "robots/urdf/units.h"
 #include "robots/urdf/xml_tree.h"
 
 namespace lares::urdf {
@@ -225,6 +226,7 @@ Scanned Scan(std::string_view bytes, const std::string& source, const Limits& li
   }
   ReadActuated(root, robot.actuated);
   CheckStructure(robot, limits, reading);
+  SuspectUnits(robot, reading);
   scanned.findings = reading.TakeFindings();
   std::stable_sort(scanned.findings.begin(), scanned.findings.end(),
                    [](const Finding& a, const Finding& b) { return a.place.line < b.place.line; });

@@ -17,6 +17,10 @@ struct DocumentCommand {
   // What of a stored document is worth a line of the list, beside id and version.
   std::string column;
   std::function<std::string(const Json&)> cell;
+  // Where given: adds options to `put`, and lines to what is printed of an answer to it.
+  std::function<void(CLI::App& put, struct PutOptions& options)> more_options = {};
+  std::function<std::string(const Json& answer)> more_summary = {};
+  std::string files = "RDF files; the id is the file's stem";
 };
 
 struct PutOptions {
@@ -28,6 +32,9 @@ struct PutOptions {
   std::string if_match;
   std::multimap<std::string, std::string> query;
 };
+
+// What a stored recipe or robot answers to: its labels, or the local names of its IRIs.
+std::string NamesOf(const Json& document);
 
 // The file's stem, or `id`. Throws kInvalid when it is no identifier.
 std::string IdFor(const std::filesystem::path& file, const std::string& id);
