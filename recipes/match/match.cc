@@ -58,6 +58,8 @@ std::string_view ToString(Availability availability) {
   return "missing";
 }
 
+Finding MakeFinding(const rdf::View& view, const Value& value) { return ToFinding(view, value); }
+
 MatchReport Match(prolog::EnginePool& engines, const rdf::View& view, const std::string& task_iri,
                   const std::string& robot_iri, const MatchOptions& options) {
   const auto answer = engines.Once(view, "matching", "match",

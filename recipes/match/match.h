@@ -6,6 +6,7 @@
 
 #include "ontology/triples/view.h"
 #include "reasoner/prolog/engine_pool.h"
+#include "reasoner/prolog/value.h"
 #include "recipes/resource.h"
 
 namespace lares::recipes {
@@ -52,6 +53,9 @@ struct MatchReport {
 struct MatchOptions {
   bool strict = false;  // a capability on the maker's word counts as missing
 };
+
+// A finding as the rules return it.
+Finding MakeFinding(const rdf::View& view, const prolog::Value& value);
 
 // `view` holds the catalogue, the recipe and the robot. Throws kNotFound when `task` is no task of
 // the view or `robot` no robot.

@@ -22,6 +22,7 @@ struct Options {
 void AddServe(CLI::App& app, const Options& options);
 void AddRecipe(CLI::App& app, const Options& options);
 void AddRobot(CLI::App& app, const Options& options);
+void AddRobotQuestions(CLI::App& robot, const Options& options);
 void AddOntology(CLI::App& app, const Options& options);
 void AddOntologyConvert(CLI::App& ontology);
 void AddOntologyCheck(CLI::App& ontology, const Options& options);

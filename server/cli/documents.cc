@@ -39,6 +39,7 @@ std::string Summary(const DocumentCommand& command, const Json& answer) {
   const Json repairs = answer.value("repairs", Json::array());
   text += FormatRemarks(repairs, "  repaired (the original is kept):");
   text += FormatRemarks(answer.value("warnings", Json::array()), "  warnings:");
+  if (command.more_summary) text += command.more_summary(answer);
   return text;
 }
 
@@ -166,7 +167,8 @@ void AddDocumentCommands(CLI::App& app, const DocumentCommand& command, const Op
                  lares + "put " + example_file + "\n" + lares + "put --recover " + example_file +
                      "\n" + lares + "put --id my-" + stem + " " + example_file);
   auto put_options = std::make_shared<PutOptions>();
-  put->add_option("FILE", put_options->files, "RDF files; the id is the file's stem")->required();
+  put->add_option("FILE", put_options->files, command.files)->required();
+  if (command.more_options) command.more_options(*put, *put_options);
   put->add_option("--id", put_options->id, "another id (with one file)");
   put->add_flag("--recover", put_options->recover,
                 "repair known faults of RDF/XML and list each repair");

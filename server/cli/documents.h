@@ -18,6 +18,10 @@ struct DocumentCommand {
   std::string column;
   std::function<std::string(const Json&)> cell;
   std::string kind;  // as it begins the ids of what is kept aside; empty: as the noun
+  // Where given: adds options to `put`, and lines to what is printed of an answer to it.
+  std::function<void(CLI::App& put, struct PutOptions& options)> more_options = {};
+  std::function<std::string(const Json& answer)> more_summary = {};
+  std::string files = "RDF files; the id is the file's stem";
 };
 
 struct PutOptions {
@@ -29,6 +33,9 @@ struct PutOptions {
   std::string if_match;
   std::multimap<std::string, std::string> query;
 };
+
+// What a stored recipe or robot answers to: its labels, or the local names of its IRIs.
+std::string NamesOf(const Json& document);
 
 // The file's stem, or `id`. Throws kInvalid when it is no identifier.
 std::string IdFor(const std::filesystem::path& file, const std::string& id);

@@ -7,10 +7,8 @@
 #include "server/cli/print.h"
 
 namespace lares::cli {
-namespace {
 
-// The tasks that a stored recipe answers to: its labels, or the local names of its IRIs.
-std::string Names(const Json& document) {
+std::string NamesOf(const Json& document) {
   std::vector<std::string> labels;
   std::vector<std::string> locals;
   for (const Json& name : document.value("names", Json::array())) {
@@ -23,20 +21,11 @@ std::string Names(const Json& document) {
   return Join(names, ", ");
 }
 
-}  // namespace
-
 void AddRecipe(CLI::App& app, const Options& options) {
   auto* recipe = AddCommand(app, "recipe", "Action recipes: what is to be done",
                             "  lares recipe put search.owl\n  lares recipe list");
   recipe->require_subcommand(1);
-  AddDocumentCommands(*recipe, {"/v1/recipes", "recipe", "TASKS", Names}, options, "search.owl");
-}
-
-void AddRobot(CLI::App& app, const Options& options) {
-  auto* robot = AddCommand(app, "robot", "Robots: what they have and can",
-                           "  lares robot put pioneer.owl\n  lares robot list");
-  robot->require_subcommand(1);
-  AddDocumentCommands(*robot, {"/v1/robots", "robot", "NAMES", Names}, options, "pioneer.owl");
+  AddDocumentCommands(*recipe, {"/v1/recipes", "recipe", "TASKS", NamesOf}, options, "search.owl");
 }
 
 }  // namespace lares::cli

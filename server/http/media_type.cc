@@ -112,7 +112,7 @@ std::optional<std::string> ChooseMediaType(std::string_view accept,
 }
 
 std::string MediaTypeOfFile(std::string_view file_name) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 22> kTypes{{
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 23> kTypes{{
       {".owl", "application/rdf+xml"},
       {".rdf", "application/rdf+xml"},
       {".ttl", "text/turtle"},
@@ -135,6 +135,7 @@ std::string MediaTypeOfFile(std::string_view file_name) {
       {".pgm", "image/x-portable-graymap"},
       {".txt", "text/plain; charset=utf-8"},
       {".xml", "application/xml"},
+      {".urdf", "application/urdf+xml"},
   }};
   const std::string lower = ToLower(file_name);
   for (const auto& [extension, type] : kTypes) {

@@ -149,6 +149,17 @@ void UnderstandRobot(prolog::EnginePool& engines, Incoming& incoming) {
   }
 }
 
+json FilesOf(const PutRequest& request) {
+  json files = json::array();
+  for (const AttachedFile& file : request.files) {
+    files.push_back({{"file_name", file.file_name},
+                     {"media_type", file.media_type},
+                     {"sha256", file.blob.sha256},
+                     {"size", file.blob.size}});
+  }
+  return files;
+}
+
 void UnderstandObjectModel(const store::Store& store, Incoming& incoming) {
   const rdf::TermId provides =
       incoming.view.dictionary().InternIri(std::string(rdf::kLares) + "providesModelFor");
@@ -164,13 +175,7 @@ void UnderstandObjectModel(const store::Store& store, Incoming& incoming) {
     throw Error(Code::kInvalid, "describes no object model: nothing has providesModelFor",
                 {incoming.source, 0, 0});
   }
-  json files = json::array();
-  for (const AttachedFile& file : incoming.request.files) {
-    files.push_back({{"file_name", file.file_name},
-                     {"media_type", file.media_type},
-                     {"sha256", file.blob.sha256},
-                     {"size", file.blob.size}});
-  }
+  json files = FilesOf(incoming.request);
   if (files.empty()) {
     const auto before = store.FindDocument(DocumentKind::kObjectModel, incoming.request.id);
     if (before) files = json::parse(before->details_json).value("files", json::array());
@@ -352,6 +357,7 @@ PutAnswer Knowledge::Put(const PutRequest& original) {
       break;
     case DocumentKind::kRobot:
       UnderstandRobot(state_->engines, incoming);
+      if (!request.files.empty()) incoming.details["files"] = FilesOf(request);
       break;
     default:
       UnderstandObjectModel(state_->store, incoming);

@@ -15,6 +15,7 @@
 #include "reasoner/places/prior.h"
 #include "reasoner/profile/finding.h"
 #include "reasoner/prolog/engine_pool.h"
+#include "recipes/match/capabilities.h"
 #include "recipes/match/match.h"
 #include "recipes/plan/plan.h"
 #include "recipes/skill/skill_template.h"
@@ -44,8 +45,8 @@ struct PutRequest {
   bool quarantine = false;
   std::string prior_format;  // priors: "omics" or "tsv"
   std::string if_match;
-  // Object models: kept as details_json's "files": [{file_name, media_type, sha256, size}]. Empty
-  // keeps those of the version before.
+  // Object models and robots: kept as details_json's "files": [{file_name, media_type, sha256,
+  // size}]. Empty keeps those of the version before for object models, and none for robots.
   std::vector<AttachedFile> files;
 };
 
@@ -184,6 +185,8 @@ class Knowledge {
                                                  int environment_version);
   // Every stored robot that could do `task`.
   std::vector<recipes::Resource> CapableRobots(const std::string& task, bool strict);
+  // Everything that a stored robot (by any of its names) can do, and what keeps it from the rest.
+  recipes::CapabilityReport Capabilities(const std::string& robot, bool strict);
   WhereAnswer Where(const WhereRequest& request);
   std::vector<ObjectModelInfo> ObjectModels(const std::string& class_name);  // empty: all
 
@@ -196,6 +199,9 @@ class Knowledge {
   Resolved Resolve(store::DocumentKind kind, const std::string& name);
   // A class of the catalogue by IRI, prefixed name, local name or label.
   recipes::Resource ResolveClass(const std::string& name);
+  // Likewise, a class of components of robots. Throws kNotFound with similar components, kInvalid
+  // for a class that is none.
+  recipes::Resource ResolveComponent(const std::string& name);
 
   const rdf::AliasTable& aliases() const;
   struct Module {

@@ -25,7 +25,8 @@ const std::map<std::string, std::string> kDoors = {
     {"libxml/", "ontology/rdf"},         {"SWI-Prolog.h", "reasoner/prolog"},
     {"SWI-Stream.h", "reasoner/prolog"}, {"sqlite3.h", "server/store"},
     {"httplib.h", "server/http"},        {"octomap/", "mapping/environment"},
-    {"ceres/", "mapping/slam"},          {"pcre2.h", "reasoner/sparql"}};
+    {"ceres/", "mapping/slam"},          {"pcre2.h", "reasoner/sparql"},
+    {"urdf_parser/", "robots/urdf"},     {"console_bridge/", "robots/urdf"}};
 
 // Costly to compile: never in a header.
 const std::vector<std::string> kNotInHeaders = {"nlohmann/json.hpp", "spdlog/", "CLI/"};

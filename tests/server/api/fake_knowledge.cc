@@ -177,6 +177,16 @@ std::shared_ptr<const RobotGrid> Knowledge::MakeRobotGrid(const std::string& rob
   return grid;
 }
 
+recipes::CapabilityReport Knowledge::Capabilities(const std::string& robot, bool strict) {
+  if (robot == "nobody") throw Error(Code::kNotFound, "there is no robot 'nobody'");
+  recipes::CapabilityReport report;
+  report.robot = {"urn:" + robot, robot, ""};
+  recipes::Finding finding;
+  finding.what = {"urn:Grasping", strict ? "strict grasping" : "grasping", ""};
+  report.capabilities.push_back(finding);
+  return report;
+}
+
 WhereAnswer Knowledge::Where(const WhereRequest& request) {
   if (testing::Answers().where) return testing::Answers().where(request);
   WhereAnswer answer;
@@ -205,6 +215,15 @@ recipes::Resource Knowledge::ResolveClass(const std::string& name) {
     throw Error(Code::kNotFound, "there is no class 'Nonsense'").WithCandidates({"Nonce"});
   }
   return {"https://w3id.org/lares#" + name, name, ""};
+}
+
+recipes::Resource Knowledge::ResolveComponent(const std::string& name) {
+  return ResolveClass(name);
+}
+
+Knowledge::Resolved Knowledge::Resolve(store::DocumentKind kind, const std::string& name) {
+  if (const auto document = state_->store.FindDocument(kind, name)) return {*document, "urn:r"};
+  throw Error(Code::kNotFound, "there is no robot '" + name + "'");
 }
 
 const rdf::AliasTable& Knowledge::aliases() const { return state_->aliases; }
