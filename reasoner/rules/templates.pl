@@ -124,10 +124,8 @@ applies(Template, Situation) :-
 robot_has(context(Robot, _, _), Class) :-
     has_component(Robot, Class).
 
-robot_can(context(Robot, Claims, Strict), Class) :-
-    evaluate(context(Robot, Claims, Strict), Class, Finding),
-    get_dict(availability, Finding, Availability),
-    memberchk(Availability, [available, on_makers_word]).
+robot_can(Context, Class) :-
+    available(Context, Class).
 
 given_by(Given, Class) :-
     member(Producer, Given),
