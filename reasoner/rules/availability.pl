@@ -1,5 +1,6 @@
 :- module(availability,
           [ available/2,
+            availability_of/3,
             dependency_restriction/2,
             dependencies/2,
             has_component/2,
@@ -82,6 +83,11 @@ available(Context, Requirement) :-
     proof(Requirement, Context, Stated, [], _, _),
     !.
 
+%!  availability_of(+Context, +Requirement, -Answer:oneof([true,false])) is det.
+
+availability_of(Context, Requirement, Answer) :-
+    ( available(Context, Requirement) -> Answer = true ; Answer = false ).
+
 % proof(+Requirement, +Context, +Stated, +Above, -Grounded, -Reach)
 %
 % Above are the things being asked for, the last first. A circle asks for nothing more than what is
@@ -104,7 +110,8 @@ proof(What, Context, Stated, Above, Grounded, Reach) :-
     ;   part(What, Context, Stated, Above, Grounded, Reach)
     ).
 
-part(What, Context, Stated, _, true, inf) :-
+part(What, Context, Stated, _, true, Nowhere) :-
+    nowhere(Nowhere),
     Context = context(Robot, _, _),
     has_component(Robot, What),
     none_insufficient(Context, Stated, What).
@@ -116,7 +123,8 @@ part(What, Context, Stated, Above, true, Reach) :-
     dependencies(What, Requirements),
     proofs(Requirements, Context, Stated, [What|Above], _, Reach).
 
-capability(What, Context, Stated, _, true, inf) :-
+capability(What, Context, Stated, _, true, Nowhere) :-
+    nowhere(Nowhere),
     Context = context(_, Claims, Strict),
     claimed(Claims, What),
     ( Strict == false -> true ; dependencies(What, []) ),
@@ -144,7 +152,8 @@ capability(What, Context, Stated, Above, Grounded, Reach) :-
     length(Above, Depth),
     \+ ( Grounded == false, Reach > Depth ).
 
-proofs([], _, _, _, false, inf).
+proofs([], _, _, _, false, Nowhere) :-
+    nowhere(Nowhere).
 proofs([Requirement|Rest], Context, Stated, Above, Grounded, Reach) :-
     proof(Requirement, Context, Stated, Above, First, FirstReach),
     proofs(Rest, Context, Stated, Above, Others, OthersReach),
@@ -166,6 +175,9 @@ claimed(Claims, What) :-
     member(Claim, Claims),
     subclass(Claim, What),
     !.
+
+% A proof that leads back to nothing above it.
+nowhere(1_000_000).
 
 % -- numbers --
 

@@ -15,6 +15,7 @@
 :- use_module(rules(classes)).
 :- use_module(rules(recipes)).
 :- use_module(rules(availability)).
+:- use_module(rules(requirements)).
 
 /** <module> Skill templates: which of them does a step
 
@@ -118,6 +119,7 @@ applies(Template, Situation) :-
     \+ ( rdf_asserted(Template, lares:notWithProperty, Property), says(Step, Property) ),
     \+ ( Robot \== none, rdf_asserted(Template, lares:needsComponent, Class),
          \+ robot_has(Robot, Class) ),
+    \+ ( Robot \== none, \+ requirements_hold(Robot, Template) ),
     \+ ( Robot \== none, rdf_asserted(Template, lares:needsCapability, Class),
          \+ robot_can(Robot, Class) ).
 

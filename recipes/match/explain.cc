@@ -423,6 +423,7 @@ class Explainer {
     for (const Needs::StepNeed& step : needs_.steps) {
       Need need = step.need;
       if (need.capability.iri.empty()) {
+        if (step.wanted.empty()) continue;
         const auto wanted = std::find(needs_.wanted.begin(), needs_.wanted.end(), step.wanted);
         if (wanted == needs_.wanted.end()) continue;
         const auto index = static_cast<std::size_t>(wanted - needs_.wanted.begin());

@@ -110,12 +110,19 @@ class Reader {
     const Value& what = value.at("what");
     Needs::StepNeed step;
     step.need.step = MakeResource(view_, value.at("step").text());
-    step.wanted = ToClause(what);
+    // What something more special is needed for anyway is no node of its own.
     if (std::holds_alternative<Atom>(what.data)) {
-      step.need.capability = needs_.nodes[step.wanted.front()].what;
+      step.need.capability = MakeResource(view_, what.text());
+    } else if (IsWanted(what)) {
+      step.wanted = ToClause(what);
     }
     step.need.inherited_through = MakeResources(view_, value.at("chain"));
     needs_.steps.push_back(std::move(step));
+  }
+
+  bool IsWanted(const Value& requirement) const {
+    const prolog::List& wanted = answer_.at("wanted").list();
+    return std::find(wanted.begin(), wanted.end(), requirement) != wanted.end();
   }
 
   void FindSpecialCases() {

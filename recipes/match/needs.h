@@ -58,7 +58,7 @@ struct Needs {
   std::shared_ptr<const rdf::Dictionary> dictionary;
   struct StepNeed {
     Need need;      // `capability` is empty for a union
-    Clause wanted;  // the node, or the members of the union
+    Clause wanted;  // the members of a union that is among those of `wanted` below
   };
   struct StepGroup {
     Resource step;

@@ -4,6 +4,7 @@
 #include "recipes/plan/export.h"
 #include "server/api/answers.h"
 #include "server/api/context.h"
+#include "server/api/recipe_robots.h"
 #include "server/http/media_type.h"
 #include "server/http/problem.h"
 
@@ -106,6 +107,7 @@ http::ProblemError Refusal(const server::PlanAnswer& answer) {
   const recipes::PlanResult& result = answer.result;
   PlainJson members = recipes::ToJson(result);
   members["capable_robots"] = PlainJson(ToJson(answer.capable_robots));
+  members["nearest_robots"] = PlainJson(ToJson(answer.nearest_robots));
   const recipes::MatchReport& match = result.match;
   const auto problem = [&](const char* code, const std::string& message) {
     members["text"] = code == std::string("not-feasible") ? recipes::ToText(match) : message;

@@ -26,10 +26,12 @@ std::string Names(const Json& document) {
 }  // namespace
 
 void AddRecipe(CLI::App& app, const Options& options) {
-  auto* recipe = AddCommand(app, "recipe", "Action recipes: what is to be done",
-                            "  lares recipe put search.owl\n  lares recipe list");
+  auto* recipe = AddCommand(
+      app, "recipe", "Action recipes: what is to be done",
+      "  lares recipe put search.owl\n  lares recipe list\n  lares recipe robots FindBottle");
   recipe->require_subcommand(1);
   AddDocumentCommands(*recipe, {"/v1/recipes", "recipe", "TASKS", Names}, options, "search.owl");
+  AddRecipeRobots(*recipe, options);
 }
 
 void AddRobot(CLI::App& app, const Options& options) {

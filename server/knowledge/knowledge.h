@@ -16,6 +16,7 @@
 #include "reasoner/profile/finding.h"
 #include "reasoner/prolog/engine_pool.h"
 #include "recipes/match/match.h"
+#include "recipes/match/rank.h"
 #include "recipes/plan/plan.h"
 #include "server/knowledge/changes.h"
 #include "server/store/store.h"
@@ -68,10 +69,30 @@ struct PlanRequest {
   std::map<std::string, std::string> templates;  // answers to choices: step → template
 };
 
+// One of the stored robots, as it stands to a task.
+struct RobotRank {
+  std::string document;  // id
+  recipes::RankedRobot ranked;
+};
+
+struct RobotsRequest {
+  std::string task;             // document id, IRI, label or local name
+  std::string environment;      // id; empty for none: no maps are on offer then
+  int environment_version = 0;  // 0: newest
+  bool strict = false;
+};
+
+struct RobotsAnswer {
+  recipes::Resource task;
+  std::vector<RobotRank> robots;  // able ones first, then by the cost of the smallest change
+};
+
 struct PlanAnswer {
   recipes::PlanResult result;
   // When the match is not feasible: every stored robot that could, by id.
   std::vector<recipes::Resource> capable_robots;
+  // And those that could after the smallest changes, at most three.
+  std::vector<RobotRank> nearest_robots;
 };
 
 // What a question is asked about, beside the catalogue. Each empty for none.
@@ -164,8 +185,8 @@ class Knowledge {
   std::vector<semantic::MapObject> MapObjects(const std::string& environment, int version);
 
   PlanAnswer MakePlan(const PlanRequest& request);
-  // Every stored robot that could do `task`.
-  std::vector<recipes::Resource> CapableRobots(const std::string& task, bool strict);
+  // Every stored robot, with what it lacks for a task.
+  RobotsAnswer RankRobots(const RobotsRequest& request);
   WhereAnswer Where(const WhereRequest& request);
   std::vector<ObjectModelInfo> ObjectModels(const std::string& class_name);  // empty: all
 
@@ -205,6 +226,7 @@ class Knowledge {
 
   PutAnswer PutOntology(const PutRequest& request, const rdf::Graph& graph,
                         const rdf::Document& content);
+  void AddOtherRobots(const PlanRequest& request, PlanAnswer& answer);
   std::shared_ptr<const PlaceTables> FindPrior(const std::string& name);
 
   std::unique_ptr<State> state_;
