@@ -101,7 +101,8 @@ cost(Costs, Class, Cost) :-
 sought(Steps, Sought) :-
     findall(Class,
             ( member(Step, Steps),
-              restriction(Step, 'https://w3id.org/lares#objectActedOn', _, Value),
+              object_property(Property),
+              restriction(Step, Property, _, Value),
               fillers(Value, Classes),
               member(Class, Classes),
               atom(Class),
@@ -109,6 +110,9 @@ sought(Steps, Sought) :-
               \+ subclass(Class, 'https://w3id.org/lares#Component') ),
             Found),
     most_specific(Found, Sought).
+
+object_property(Property) :- rdf_equal(Property, lares:objectActedOn).
+object_property(Property) :- rdf_equal(Property, lares:detectedObject).
 
 % The most specific of what is needed; a union only where none of its members is needed anyway.
 wanted(Needs, Wanted) :-
