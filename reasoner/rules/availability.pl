@@ -1,27 +1,27 @@
 :- module(availability,
-          [ evaluate/3,
+          [ available/2,
+            availability_of/3,
             dependency_restriction/2,
             dependencies/2,
             has_component/2,
             component/2,
-            present/2,
-            findings_warnings/2
+            special_case/2,
+            is_capability/1
           ]).
 :- use_module(library(lists)).
 :- use_module(rules(prefixes)).
 :- use_module(rules(rdf_view)).
 :- use_module(rules(classes)).
+:- use_module(rules(requirements)).
 
-/** <module> Whether a robot has a capability or a component, and why
+/** <module> What classes depend on, and whether a robot has one thing
 
-A finding is
+A context is `context(Robot, Claims, Strict)`: Claims are the capabilities that the description
+claims, and the classes of components that are not the robot's but can be fetched for it.
 
-    finding{kind, what, availability, asserted, provided_by, dependencies, missing, grounded,
-            explanation, warnings}
-
-`missing` are the leaves that would have to be added; `grounded` tells whether anything that the
-robot really has, or claims, was met on the way, so that capabilities which only rest on each other
-are not available for nothing. A context is `context(Robot, Claims, Strict)`.
+Whole tasks are matched in C++ (recipes/match), over what needs/3 (matching.pl) says; available/2 is
+for single conditions, as those of skill templates, and gives the same verdict
+(tests/recipes/match_property_test.cc).
 */
 
 :- rdf_meta dependency_property(r).
@@ -69,219 +69,130 @@ component(Robot-Class, Part) :-
     rdf(Part, rdf:type, Class),
     rdf(Robot, lares:subComponent, Part).
 
-%!  present(+Robot, +Class) is semidet.
+%!  is_capability(+Class) is semidet.
 
-present(Robot, Class) :- has_component(Robot, Class).
+is_capability(Class) :- subclass(Class, 'https://w3id.org/lares#Capability').
 
-%!  evaluate(+Context, +Requirement, -Finding:dict) is det.
+%!  available(+Context, +Requirement) is semidet.
+%
+%   The robot has the capability or component Requirement, or one of any(Classes).
 
-evaluate(Context, Requirement, Finding) :-
-    evaluate(Context, [], Requirement, Finding).
-
-evaluate(Context, Stack, any(Members), Finding) :-
-    !,
-    evaluate_each(Context, Stack, Members, Findings),
-    choose_member(Findings, Finding).
-evaluate(Context, Stack, What, Finding) :-
-    is_capability(What),
-    !,
-    capability(Context, Stack, What, Finding).
-evaluate(Context, Stack, What, Finding) :-
-    component(Context, Stack, What, Finding).
-
-is_capability(What) :- subclass(What, 'https://w3id.org/lares#Capability').
-
-evaluate_each(_, _, [], []).
-evaluate_each(Context, Stack, [Requirement|Rest], [Finding|Findings]) :-
-    evaluate(Context, Stack, Requirement, Finding),
-    evaluate_each(Context, Stack, Rest, Findings).
-
-% Of a union any member will do: the first that is there, else the one with least missing.
-choose_member(Findings, Finding) :-
-    member(Finding, Findings),
-    good(Finding),
+available(Context, Requirement) :-
+    Context = context(Robot, _, _),
+    stated_requirements(Robot, Stated),
+    proof(Requirement, Context, Stated, [], _, _),
     !.
-choose_member(Findings, Finding) :-
-    findall(Size-Index,
-            ( nth0(Index, Findings, One),
-              get_dict(missing, One, Missing),
-              length(Missing, Size) ),
-            Sizes),
-    keysort(Sizes, [_-Best|_]),
-    nth0(Best, Findings, Finding).
 
-good(Finding) :-
-    get_dict(availability, Finding, Availability),
-    memberchk(Availability, [available, on_makers_word]).
+%!  availability_of(+Context, +Requirement, -Answer:oneof([true,false])) is det.
 
-% -- components --
+availability_of(Context, Requirement, Answer) :-
+    ( available(Context, Requirement) -> Answer = true ; Answer = false ).
 
-component(context(Robot, _, _), _, What, Finding) :-
-    findall(Part, component(Robot-What, Part), Found),
-    Found \== [],
+% proof(+Requirement, +Context, +Stated, +Above, -Grounded, -Reach)
+%
+% Above are the things being asked for, the last first. A circle asks for nothing more than what is
+% being asked already, and Reach is the least position in Above that the proof leads back to. What
+% rests on nothing but its own circle is not there: Grounded tells whether anything that the robot
+% really has, or claims, was met on the way.
+
+proof(any(Members), Context, Stated, Above, Grounded, Reach) :-
     !,
-    sort(Found, Parts),
-    dependencies(What, Requirements),
-    findall(Absent, (member(Absent, Requirements), absent(Robot, Absent)), AbsentOnes),
-    present_warnings(What, AbsentOnes, Warnings),
-    Finding = finding{kind:component, what:What, availability:available, asserted:false,
-                      provided_by:Parts, dependencies:[], missing:[], grounded:true,
-                      explanation:["the robot has ", label(What)], warnings:Warnings}.
-component(_, Stack, What, Finding) :-
-    memberchk(What, Stack),
+    member(Member, Members),
+    proof(Member, Context, Stated, Above, Grounded, Reach).
+proof(What, _, _, Above, false, Reach) :-
+    nth1(Back, Above, What),
     !,
-    circular(component, What, Finding).
-component(Context, Stack, What, Finding) :-
-    dependencies(What, Requirements),
-    evaluate_each(Context, [What|Stack], Requirements, Findings),
-    missing_leaves(Findings, Leaves0),
-    most_specific([What|Leaves0], Leaves),
-    Finding = finding{kind:component, what:What, availability:missing, asserted:false,
-                      provided_by:[], dependencies:Findings, missing:Leaves, grounded:false,
-                      explanation:["the robot's description lists no ", label(What)],
-                      warnings:[]}.
-
-absent(Robot, any(Members)) :-
-    !,
-    \+ ( member(Member, Members), \+ absent(Robot, Member) ).
-absent(Robot, Class) :-
-    \+ is_capability(Class),
-    \+ present(Robot, Class).
-
-present_warnings(_, [], []) :- !.
-present_warnings(What, Absent, [Warning]) :-
-    naming(Absent, Names),
-    append(["the robot has ", label(What), ", which works with "|Names],
-           [" that its description does not list"], Warning).
-
-% -- capabilities --
-
-capability(_, Stack, What, Finding) :-
-    memberchk(What, Stack),
-    !,
-    circular(capability, What, Finding).
-capability(Context, Stack, What, Finding) :-
-    Context = context(_, Claims, Strict),
-    claimed(Claims, What, By),
-    dependencies(What, Requirements),
-    evaluate_each(Context, [What|Stack], Requirements, Findings),
-    findings_leaves(What, Stack, Requirements, Findings, Missing, Grounded),
-    decide(Requirements, Missing, By, Strict, Context, [What|Stack], What, Decision),
-    decision_finding(Decision, What, By, Findings, Grounded, Finding).
-
-% A circle asks for nothing more than what is already being asked.
-circular(Kind, What,
-         finding{kind:Kind, what:What, availability:available, asserted:false, provided_by:[],
-                 dependencies:[], missing:[], grounded:false,
-                 explanation:[label(What), " is explained further up"], warnings:[]}).
-
-claimed(Claims, What, By) :-
-    findall(Claim, (member(Claim, Claims), subclass(Claim, What)), Found),
-    most_specific(Found, By).
-
-findings_leaves(What, Stack, Requirements, Findings, Missing, Grounded) :-
-    missing_leaves(Findings, Leaves),
-    (   member(Finding, Findings), get_dict(grounded, Finding, true)
-    ->  Grounded = true
-    ;   Grounded = false
-    ),
-    (   Leaves == [], Requirements \== [], Grounded == false, Stack == []
-    ->  Missing = [What]
-    ;   Missing = Leaves
+    length(Above, Length),
+    Reach is Length - Back + 1.
+proof(What, Context, Stated, Above, Grounded, Reach) :-
+    (   is_capability(What)
+    ->  capability(What, Context, Stated, Above, Grounded, Reach)
+    ;   part(What, Context, Stated, Above, Grounded, Reach)
     ).
 
-missing_leaves(Findings, Leaves) :-
-    findall(Leaf, (member(Finding, Findings), get_dict(missing, Finding, Missing),
-                   member(Leaf, Missing)), Found),
-    most_specific(Found, Leaves).
+part(What, Context, Stated, _, true, Nowhere) :-
+    nowhere(Nowhere),
+    Context = context(Robot, _, _),
+    has_component(Robot, What),
+    none_insufficient(Context, Stated, What).
+part(What, Context, Stated, Above, true, Reach) :-
+    Context = context(_, Claims, _),
+    claimed(Claims, What),
+    requirement_groups(Stated, What, Groups),
+    \+ ( member(Group, Groups), \+ group_holds(Context, Group) ),
+    dependencies(What, Requirements),
+    proofs(Requirements, Context, Stated, [What|Above], _, Reach).
 
-decide([_|_], [], _, _, _, _, _, derived) :- !.
-decide([], _, [_|_], _, _, _, _, claimed) :- !.
-decide([_|_], Missing, [_|_], false, _, _, _, on_word(Missing)) :- !.
-decide([], _, _, _, Context, Stack, What, through(Sub, Finding)) :-
-    provided_below(Context, Stack, What, Sub, Finding),
-    !.
-decide([], _, _, _, _, _, What, missing([What])) :- !.
-decide(_, Missing, _, _, _, _, _, missing(Missing)).
-
-% A capability without known dependencies is there when a special case of it is.
-provided_below(Context, Stack, What, Sub, Finding) :-
-    findall(Class, (rdf(Class, rdfs:subClassOf, What), Class \== What, named(Class)), Found),
-    sort(Found, Below),
-    member(Sub, Below),
-    \+ subclass(What, Sub),
-    \+ memberchk(Sub, Stack),
-    dependencies(Sub, [_|_]),
-    capability(Context, Stack, Sub, Finding),
-    good(Finding),
-    get_dict(grounded, Finding, true).
-
-decision_finding(derived, What, By, Findings, Grounded, Finding) :-
-    asserted(By, Asserted),
-    ground_claim(By, Grounded, Ground),
-    make(What, available, Asserted, By, Findings, [], Ground,
-         ["everything that ", label(What), " depends on is there"], [], Finding).
-decision_finding(claimed, What, By, _, _, Finding) :-
-    make(What, available, true, By, [], [], true,
-         ["the robot's description claims ", label(What), ", and nothing is known that it \c
-depends on"], [], Finding).
-decision_finding(on_word(Missing), What, By, Findings, _, Finding) :-
-    naming(Missing, Names),
-    append([label(What), " is there on the maker's word only: the robot's description claims it, \c
-but lists no "|Names], [], Sentence),
-    make(What, on_makers_word, true, By, Findings, Missing, true, Sentence, [Sentence], Finding0),
-    put_dict(missing, Finding0, [], Finding).
-decision_finding(through(Sub, Inner), What, By, _, _, Finding) :-
-    make(What, available, false, By, [Inner], [], true,
-         [label(Sub), ", a special case of ", label(What), ", is there"], [], Finding).
-decision_finding(missing(Missing), What, By, Findings, Grounded, Finding) :-
-    asserted(By, Asserted),
-    (   Missing == [What]
-    ->  Sentence = ["the robot's description does not claim ", label(What),
-                    ", and nothing is known from which it would follow"]
-    ;   naming(Missing, Names),
-        Sentence = [label(What), " lacks "|Names]
+capability(What, Context, Stated, _, true, Nowhere) :-
+    nowhere(Nowhere),
+    Context = context(_, Claims, Strict),
+    claimed(Claims, What),
+    ( Strict == false -> true ; dependencies(What, []) ),
+    (   Strict == false
+    ->  none_insufficient(Context, Stated, What)
+    ;   requirement_groups(Stated, What, Groups),
+        \+ ( member(Group, Groups), \+ group_holds(Context, Group) )
     ),
-    make(What, missing, Asserted, By, Findings, Missing, Grounded, Sentence, [], Finding).
+    !.
+capability(What, Context, Stated, Above, Grounded, Reach) :-
+    Context = context(_, Claims, _),
+    requirement_groups(Stated, What, Groups),
+    \+ ( member(Group, Groups), \+ group_holds(Context, Group) ),
+    dependencies(What, Requirements),
+    (   Requirements == []
+    ->  special_case(What, Sub),
+        Needed = [Sub]
+    ;   Needed = Requirements
+    ),
+    proofs(Needed, Context, Stated, [What|Above], Inner, Reach),
+    (   ( claimed(Claims, What) ; Groups \== [] )
+    ->  Grounded = true
+    ;   Grounded = Inner
+    ),
+    length(Above, Depth),
+    \+ ( Grounded == false, Reach > Depth ).
 
-make(What, Availability, Asserted, By, Findings, Missing, Grounded, Explanation, Warnings,
-     finding{kind:capability, what:What, availability:Availability, asserted:Asserted,
-             provided_by:By, dependencies:Findings, missing:Missing, grounded:Grounded,
-             explanation:Explanation, warnings:Warnings}).
+proofs([], _, _, _, false, Nowhere) :-
+    nowhere(Nowhere).
+proofs([Requirement|Rest], Context, Stated, Above, Grounded, Reach) :-
+    proof(Requirement, Context, Stated, Above, First, FirstReach),
+    proofs(Rest, Context, Stated, Above, Others, OthersReach),
+    ( First == true -> Grounded = true ; Grounded = Others ),
+    Reach is min(FirstReach, OthersReach).
 
-asserted([], false) :- !.
-asserted(_, true).
-
-ground_claim([_|_], _, true) :- !.
-ground_claim(_, Grounded, Grounded).
-
-%!  naming(+Resources, -Sentence:list) is det.
+%!  special_case(+Capability, -Special) is nondet.
 %
-%   "A, B and C".
+%   A capability without known dependencies is there when one below it, whose are known, is.
 
-naming([any(Members)|Rest], Names) :-
-    !,
-    append(Members, Rest, All),
-    naming(All, Names).
-naming([Last], [label(Last)]) :- !.
-naming([One, Two], [label(One), " and "|Rest]) :-
-    !,
-    naming([Two], Rest).
-naming([One|More], [label(One), ", "|Rest]) :-
-    naming(More, Rest).
+special_case(What, Sub) :-
+    rdf(Sub, rdfs:subClassOf, What),
+    Sub \== What,
+    named(Sub),
+    \+ subclass(What, Sub),
+    dependencies(Sub, [_|_]).
 
-%!  findings_warnings(+Findings, -Warnings:list) is det.
-%
-%   All warnings of the findings and of what they rest on, each once.
+claimed(Claims, What) :-
+    member(Claim, Claims),
+    subclass(Claim, What),
+    !.
 
-findings_warnings(Findings, Warnings) :-
-    findall(Warning, (member(Finding, Findings), warning_of(Finding, Warning)), Found),
-    list_to_set(Found, Warnings).
+% A proof that leads back to nothing above it.
+nowhere(1_000_000).
 
-warning_of(Finding, Warning) :-
-    get_dict(warnings, Finding, Warnings),
-    member(Warning, Warnings).
-warning_of(Finding, Warning) :-
-    get_dict(dependencies, Finding, Findings),
-    member(Inner, Findings),
-    warning_of(Inner, Warning).
+% -- numbers --
+
+% Where the robot's own numbers speak against it, no claim helps; what they leave open is no fault
+% of a part that is there.
+none_insufficient(Context, Stated, What) :-
+    requirement_groups(Stated, What, Groups),
+    \+ ( member(Group, Groups), verdict_of(Context, Group, insufficient) ).
+
+group_holds(Context, Group) :-
+    Context = context(_, _, Strict),
+    verdict_of(Context, Group, Verdict),
+    ( Verdict == met ; Verdict == unknown, Strict == false ),
+    !.
+
+verdict_of(context(Robot, _, _), Group, Verdict) :-
+    group_verdict(Robot, Group, Found),
+    get_dict(verdict, Found, Verdict).

@@ -1,56 +1,135 @@
 :- module(matching,
-          [ match/4,
+          [ needs/3,
+            capability_needs/2,
+            profile/2,
             robot/1,
             claims/2
           ]).
 :- use_module(library(lists)).
-:- use_module(library(apply)).
 :- use_module(rules(prefixes)).
 :- use_module(rules(rdf_view)).
 :- use_module(rules(classes)).
 :- use_module(rules(recipes)).
 :- use_module(rules(availability)).
-:- use_module(rules(repair)).
+:- use_module(rules(requirements)).
 
-/** <module> What a task needs against what a robot has
+/** <module> What a task needs, and what a robot claims
 
-    match(Task, Robot, Options, Report)
-
-is the whole of it. Sentences are lists of strings, `name(Iri)`, `label(Iri)` and `phrase(Iri)`,
-so that only one place decides how things are named.
+needs/3 says once for a recipe all that deciding about any robot takes: what the steps need, and of
+all that this rests on, what each thing depends on, the numbers it requires and what adding it costs.
+recipes/match decides, explains and finds the smallest repairs. A requirement is a class or
+`any(Classes)`.
 */
 
 :- rdf_meta robot_type(r).
 
-%!  match(+Task, +Robot, +Strict:oneof([true,false]), -Report:dict) is det.
+%!  needs(+Task, +Robot, -Needs:dict) is det.
 %
-%   Report is `not_found(Sentence)` when Task or Robot are nothing of the kind.
+%   `needs{steps, wanted, nodes, groups, sought}`; `not_found(Sentence)` when Task is none. What the
+%   documents that describe Robot (`none` for no robot) require is left out. `sought` are the classes
+%   of the objects that the steps act on.
 
-match(Task, _, _, not_found([name(Task), " is no task: no document says how it is done"])) :-
+needs(Task, _, not_found([name(Task), " is no task: no document says how it is done"])) :-
     \+ task(Task),
     !.
-match(_, Robot, _, not_found([name(Robot), " is no robot: it is of no kind of Robot and claims no \c
-capability"])) :-
-    \+ robot(Robot),
-    !.
-match(Task, Robot, Strict, Report) :-
+needs(Task, Robot, needs{steps:Needs, wanted:Wanted, nodes:Nodes, groups:StepGroups,
+                         sought:Sought}) :-
     all_steps(Task, Steps),
-    findall(Need, (member(Step, Steps), step_need(Step, Need)), Needs0),
-    wanted(Needs0, Wanted),
-    claimed_by_type(Robot, Claims),
-    Context = context(Robot, Claims, Strict),
-    maplist(evaluate(Context), Wanted, Findings0),
-    mark_derivable(Findings0, Findings),
-    settle_unions(Needs0, Wanted, Findings, Needs),
-    (   forall(member(Finding, Findings), usable(Finding))
-    ->  Feasible = true,
-        Repair = []
-    ;   Feasible = false,
-        smallest_repair(Context, Wanted, Repair)
+    findall(Need, (member(Step, Steps), step_need(Step, Need)), Needs),
+    wanted(Needs, Wanted),
+    stated_requirements(Robot, Stated),
+    findall(step_group{step:Step, group:Group},
+            ( member(Step, Steps),
+              requirement_groups(Stated, Step, Groups),
+              member(Group, Groups) ),
+            StepGroups),
+    findall(Part, (member(StepGroup, StepGroups), get_dict(group, StepGroup, Group),
+                   get_dict(part, Group, Part)), Parts),
+    append(Wanted, Parts, Open),
+    stated_costs(Costs),
+    nodes(Open, Stated, Costs, [], Nodes),
+    sought(Steps, Sought).
+
+%!  capability_needs(+Robot, -Needs:dict) is det.
+%
+%   As needs/3 for a task that would need every capability that is known.
+
+capability_needs(Robot, needs{steps:[], wanted:Capabilities, nodes:Nodes, groups:[], sought:[]}) :-
+    findall(Capability,
+            ( rdf(Capability, rdfs:subClassOf, lares:'Capability'),
+              named(Capability),
+              \+ rdf_equal(Capability, lares:'Capability'),
+              \+ rdf_equal(Capability, owl:'Nothing') ),
+            Found),
+    sort(Found, Capabilities),
+    stated_requirements(Robot, Stated),
+    stated_costs(Costs),
+    nodes(Capabilities, Stated, Costs, [], Nodes).
+
+% The classes that are asked for and all that these rest on.
+nodes([], _, _, _, []).
+nodes([any(Members)|Rest], Stated, Costs, Seen, Nodes) :-
+    !,
+    append(Members, Rest, Open),
+    nodes(Open, Stated, Costs, Seen, Nodes).
+nodes([Class|Rest], Stated, Costs, Seen, Nodes) :-
+    memberchk(Class, Seen),
+    !,
+    nodes(Rest, Stated, Costs, Seen, Nodes).
+nodes([Class|Rest], Stated, Costs, Seen, [Node|Nodes]) :-
+    node(Class, Stated, Costs, Node),
+    get_dict(requirements, Node, Requirements),
+    get_dict(special_cases, Node, SpecialCases),
+    get_dict(groups, Node, Groups),
+    findall(Part, (member(Group, Groups), get_dict(part, Group, Part)), Parts),
+    append([Requirements, SpecialCases, Parts, Rest], Open),
+    nodes(Open, Stated, Costs, [Class|Seen], Nodes).
+
+node(Class, Stated, Costs, node{class:Class, kind:Kind, requirements:Requirements,
+                                special_cases:SpecialCases, groups:Groups, cost:Cost}) :-
+    ( is_capability(Class) -> Kind = capability ; Kind = component ),
+    dependencies(Class, Requirements),
+    (   Kind == capability, Requirements == []
+    ->  findall(Sub, special_case(Class, Sub), Found),
+        sort(Found, SpecialCases)
+    ;   SpecialCases = []
     ),
-    findings_warnings(Findings, Warnings),
-    Report = match{feasible:Feasible, needs:Needs, capabilities:Findings, repair:Repair,
-                   warnings:Warnings}.
+    requirement_groups(Stated, Class, Groups),
+    cost(Costs, Class, Cost).
+
+stated_costs(Costs) :-
+    findall(Class-Cost,
+            ( rdf_asserted(Class, lares:additionCost, Value),
+              rdf_number(Value, Number),
+              Number > 0,
+              Cost is float(Number) ),
+            Costs).
+
+% Of the nearest class above; the largest where several are.
+cost(Costs, Class, Cost) :-
+    findall(Holder, (member(Holder-_, Costs), subclass(Class, Holder)), Holders),
+    most_specific(Holders, Nearest),
+    findall(One, (member(Holder, Nearest), member(Holder-One, Costs)), Found),
+    (   max_list(Found, Cost)
+    ->  true
+    ;   Cost = 10.0
+    ).
+
+sought(Steps, Sought) :-
+    findall(Class,
+            ( member(Step, Steps),
+              object_property(Property),
+              restriction(Step, Property, _, Value),
+              fillers(Value, Classes),
+              member(Class, Classes),
+              atom(Class),
+              subclass(Class, 'https://w3id.org/lares#PhysicalObject'),
+              \+ subclass(Class, 'https://w3id.org/lares#Component') ),
+            Found),
+    most_specific(Found, Sought).
+
+object_property(Property) :- rdf_equal(Property, lares:objectActedOn).
+object_property(Property) :- rdf_equal(Property, lares:detectedObject).
 
 % The most specific of what is needed; a union only where none of its members is needed anyway.
 wanted(Needs, Wanted) :-
@@ -63,20 +142,6 @@ wanted(Needs, Wanted) :-
               \+ ( member(Member, Members), member(One, Specific), subclass(One, Member) ) ),
             Unions),
     append(Specific, Unions, Wanted).
-
-% In the report a union is the member that was taken.
-settle_unions(Needs0, Wanted, Findings, Needs) :-
-    findall(Need,
-            ( member(Need0, Needs0),
-              get_dict(what, Need0, What),
-              (   atom(What)
-              ->  Need = Need0
-              ;   nth0(Index, Wanted, What)
-              ->  nth0(Index, Findings, Finding),
-                  get_dict(what, Finding, Taken),
-                  put_dict(what, Need0, Taken, Need)
-              ) ),
-            Needs).
 
 %!  step_need(+Step, -Need:dict) is nondet.
 %
@@ -139,56 +204,26 @@ claims(Robot, Capability) :-
     ( rdf(Type, owl:someValuesFrom, Value) ; rdf(Type, owl:hasValue, Value) ),
     fillers(Value, Fillers),
     member(Capability, Fillers),
-    atom(Capability).
+    may_be_claimed(Capability).
 claims(Robot, Capability) :-
     rdf(Robot, lares:hasCapability, Value),
     fillers(Value, Fillers),
     member(Capability, Fillers),
-    atom(Capability).
+    may_be_claimed(Capability).
 
-claimed_by_type(Robot, Claims) :-
+% Parts are listed, not claimed.
+may_be_claimed(Capability) :-
+    atom(Capability),
+    \+ subclass(Capability, 'https://w3id.org/lares#Component').
+
+%!  profile(+Robot, -Claims) is det.
+%
+%   The capabilities that the description claims; `not_found(Sentence)` when Robot is no robot.
+
+profile(Robot, not_found([name(Robot), " is no robot: it is of no kind of Robot and claims no \c
+capability"])) :-
+    \+ robot(Robot),
+    !.
+profile(Robot, Claims) :-
     findall(Capability, claims(Robot, Capability), Found),
     sort(Found, Claims).
-
-usable(Finding) :-
-    get_dict(availability, Finding, Availability),
-    memberchk(Availability, [available, on_makers_word]).
-
-%!  mark_derivable(+Findings, -Marked) is det.
-%
-%   A missing capability all of whose missing things are those of other missing capabilities that it
-%   rests on comes with them.
-
-mark_derivable(Findings, Marked) :-
-    maplist(derivable(Findings), Findings, Marked).
-
-derivable(Findings, Finding, Marked) :-
-    get_dict(availability, Finding, missing),
-    get_dict(missing, Finding, Leaves),
-    Leaves \== [],
-    get_dict(what, Finding, What),
-    \+ memberchk(What, Leaves),
-    findall(Leaf,
-            ( member(Other, Findings),
-              get_dict(availability, Other, missing),
-              get_dict(what, Other, OtherWhat),
-              OtherWhat \== What,
-              rests_on(Finding, OtherWhat),
-              \+ rests_on(Other, What),
-              get_dict(missing, Other, OtherLeaves),
-              member(Leaf, OtherLeaves) ),
-            Covered),
-    subtract(Leaves, Covered, []),
-    !,
-    put_dict(_{availability:derivable,
-               explanation:[label(What), " is missing, and comes with the other missing things"]},
-             Finding, Marked).
-derivable(_, Finding, Finding).
-
-rests_on(Finding, What) :-
-    get_dict(dependencies, Finding, Dependencies),
-    member(Dependency, Dependencies),
-    (   get_dict(what, Dependency, What)
-    ;   rests_on(Dependency, What)
-    ),
-    !.

@@ -16,6 +16,7 @@
 :- use_module(rules(recipes)).
 :- use_module(rules(parameters)).
 :- use_module(rules(templates)).
+:- use_module(rules(requirements)).
 
 /** <module> What is wrong with a recipe
 
@@ -68,6 +69,10 @@ task_problems(Graph, Task, Problems) :-
     findall(Problem, problem(Graph, Task, Structure, Problem), Found),
     list_to_set(Found, Problems).
 
+problem(Graph, _, _, Problem) :-
+    Graph \== none,
+    requirement_problems(Graph, Problems),
+    member(Problem, Problems).
 problem(_, Task, Structure, [name(Task), " has no steps"]) :-
     get_dict(steps, Structure, []).
 problem(_, Task, _, [name(Task), " is among its own sub-actions: it would never end"]) :-

@@ -4,6 +4,7 @@
 :- use_module(rules(rdf_view)).
 :- use_module(rules(classes)).
 :- use_module(rules(templates)).
+:- use_module(rules(requirements)).
 
 /** <module> What a skill template says, and what is wrong with it
 
@@ -25,7 +26,19 @@ fragments is checked elsewhere.
 described_templates(Graph, Templates) :-
     findall(Template, template_in(Graph, Template), Found),
     sort(Found, Sorted),
-    findall(Described, (member(Template, Sorted), describe(Template, Described)), Templates).
+    findall(Described, (member(Template, Sorted), describe(Template, Described)), Described0),
+    with_requirement_problems(Graph, Described0, Templates).
+
+% What is wrong with the numbers of a document is told once, with its first template.
+with_requirement_problems(Graph, [First|Rest], [Told|Rest]) :-
+    Graph \== all,
+    requirement_problems(Graph, Found),
+    Found \== [],
+    !,
+    get_dict(problems, First, Problems0),
+    append(Problems0, Found, Problems),
+    put_dict(problems, First, Problems, Told).
+with_requirement_problems(_, Templates, Templates).
 
 template_in(all, Template) :-
     !,

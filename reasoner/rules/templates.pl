@@ -16,6 +16,7 @@
 :- use_module(rules(classes)).
 :- use_module(rules(recipes)).
 :- use_module(rules(availability)).
+:- use_module(rules(requirements)).
 
 /** <module> Skill templates: which of them does a step
 
@@ -124,6 +125,7 @@ applies(Template, Situation) :-
     \+ ( Robot \== none, rdf_asserted(Template, lares:notWithComponent, Class),
          robot_has(Robot, Class) ),
     ( Robot == none -> true ; fits_environment(Template, Situation) ),
+    \+ ( Robot \== none, \+ requirements_hold(Robot, Template) ),
     \+ ( Robot \== none, rdf_asserted(Template, lares:needsCapability, Class),
          \+ robot_can(Robot, Class) ).
 
@@ -144,10 +146,8 @@ in_place(Place, Class) :-
 robot_has(context(Robot, _, _), Class) :-
     has_component(Robot, Class).
 
-robot_can(context(Robot, Claims, Strict), Class) :-
-    evaluate(context(Robot, Claims, Strict), Class, Finding),
-    get_dict(availability, Finding, Availability),
-    memberchk(Availability, [available, on_makers_word]).
+robot_can(Context, Class) :-
+    available(Context, Class).
 
 given_by(Given, Class) :-
     member(Producer, Given),

@@ -1,34 +1,25 @@
 #include "recipes/match/capabilities.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "base/error.h"
-#include "recipes/naming.h"
+#include "recipes/match/assess.h"
+#include "recipes/match/explain.h"
 
 namespace lares::recipes {
 
-using prolog::Value;
-
 CapabilityReport Capabilities(prolog::EnginePool& engines, const rdf::View& view,
                               const std::string& robot_iri, const MatchOptions& options) {
-  const auto answer = engines.Once(
-      view, "capabilities", "robot_capabilities",
-      {Value{prolog::Atom{robot_iri}}, Value{prolog::Atom{options.strict ? "true" : "false"}}});
-  if (!answer) throw Error(Code::kInternal, "the question for capabilities gave no answer");
-  if (const auto* failure = std::get_if<prolog::Compound>(&answer->data)) {
-    throw Error(Code::kNotFound, MakeSentence(view, failure->arguments.at(0)));
-  }
-  CapabilityReport report;
-  report.robot = MakeResource(view, robot_iri);
-  for (const Value& finding : answer->list()) {
-    report.capabilities.push_back(MakeFinding(view, finding));
-  }
+  const RobotProfile robot = DescribeRobot(engines, view, robot_iri);
+  const Needs needs = FindCapabilityNeeds(engines, view, robot_iri);
+  MatchReport report;
+  Explain(needs, robot, options, Assess(needs, robot, options), report);
   std::sort(report.capabilities.begin(), report.capabilities.end(),
             [](const Finding& a, const Finding& b) {
               return a.what.label != b.what.label ? a.what.label < b.what.label
                                                   : a.what.iri < b.what.iri;
             });
-  return report;
+  return {robot.robot, std::move(report.capabilities)};
 }
 
 }  // namespace lares::recipes

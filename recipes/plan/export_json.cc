@@ -14,6 +14,12 @@ json ToJson(const Resource& resource) {
 
 // Declared before the template that calls them.
 json ToJson(const Finding& finding);
+json ToJson(const Measure& measure);
+json ToJson(const Offer& offer);
+json ToJson(const Download& download);
+json ToJson(const StepRequirement& requirement);
+json ToJson(const RepairItem& item);
+json ToJson(const Repair& repair);
 json ToJson(const Need& need);
 json ToJson(const Parameter& parameter);
 json ToJson(const State& state);
@@ -33,14 +39,75 @@ json ToArray(const Items& items) {
 }
 
 json ToJson(const Finding& finding) {
-  return {{"kind", finding.kind == Finding::Kind::kCapability ? "capability" : "component"},
-          {"what", ToJson(finding.what)},
-          {"availability", ToString(finding.availability)},
-          {"asserted", finding.asserted},
-          {"provided_by", ToArray(finding.provided_by)},
-          {"dependencies", ToArray(finding.dependencies)},
-          {"explanation", finding.explanation}};
+  json value = {{"kind", finding.kind == Finding::Kind::kCapability ? "capability" : "component"},
+                {"what", ToJson(finding.what)},
+                {"availability", ToString(finding.availability)},
+                {"asserted", finding.asserted},
+                {"provided_by", ToArray(finding.provided_by)},
+                {"dependencies", ToArray(finding.dependencies)},
+                {"explanation", finding.explanation}};
+  if (!finding.measures.empty()) value["measures"] = ToArray(finding.measures);
+  if (!finding.downloads.empty()) value["downloads"] = ToArray(finding.downloads);
+  return value;
 }
+
+const char* VerdictName(Measure::Verdict verdict) {
+  switch (verdict) {
+    case Measure::Verdict::kMet:
+      return "met";
+    case Measure::Verdict::kUnknown:
+      return "unknown";
+    case Measure::Verdict::kInsufficient:
+      return "insufficient";
+  }
+  return "unknown";
+}
+
+json ToJson(const Measure& measure) {
+  json required = json::object();
+  if (measure.at_least) required["at_least"] = *measure.at_least;
+  if (measure.at_most) required["at_most"] = *measure.at_most;
+  json value = {{"quantity", ToJson(measure.quantity)},
+                {"unit", measure.unit},
+                {"required", required},
+                {"actual", measure.actual ? json(*measure.actual) : json(nullptr)},
+                {"verdict", VerdictName(measure.verdict)},
+                {"stated_by", ToJson(measure.stated_by)}};
+  if (measure.verdict == Measure::Verdict::kInsufficient) value["short_by"] = measure.short_by;
+  if (measure.short_by_percent) value["short_by_percent"] = *measure.short_by_percent;
+  return value;
+}
+
+json ToJson(const Offer& offer) {
+  return {{"class", offer.class_iri},
+          {"for", offer.for_what},
+          {"document", offer.document},
+          {"file", offer.file},
+          {"link", offer.link},
+          {"sha256", offer.sha256},
+          {"size_bytes", offer.size_bytes}};
+}
+
+json ToJson(const Download& download) {
+  return {{"what", ToJson(download.what)}, {"offer", ToJson(download.offer)}};
+}
+
+json ToJson(const StepRequirement& requirement) {
+  return {{"steps", ToArray(requirement.steps)}, {"finding", ToJson(requirement.finding)}};
+}
+
+json ToJson(const RepairItem& item) {
+  json value = {{"what", ToJson(item.what)}, {"cost", item.cost}, {"text", item.text}};
+  for (const Measure& bound : item.bounds) {
+    json limits = {{"quantity", ToJson(bound.quantity)}, {"unit", bound.unit}};
+    if (bound.at_least) limits["at_least"] = *bound.at_least;
+    if (bound.at_most) limits["at_most"] = *bound.at_most;
+    value["bounds"].push_back(limits);
+  }
+  return value;
+}
+
+json ToJson(const Repair& repair) { return {{"add", ToArray(repair.add)}, {"cost", repair.cost}}; }
 
 json ToJson(const Need& need) {
   return {{"step", ToJson(need.step)},
@@ -98,7 +165,11 @@ json ToJson(const MatchReport& report) {
           {"feasible", report.feasible},
           {"needs", ToArray(report.needs)},
           {"capabilities", ToArray(report.capabilities)},
+          {"requirements", ToArray(report.requirements)},
+          {"downloads", ToArray(report.downloads)},
           {"smallest_repair", ToArray(report.smallest_repair)},
+          {"repairs", ToArray(report.repairs)},
+          {"repair_is_smallest", report.repair_is_smallest},
           {"warnings", report.warnings}};
 }
 

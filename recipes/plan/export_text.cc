@@ -59,6 +59,10 @@ const char* Mark(Availability availability) {
       return "yes ";
     case Availability::kOnMakersWord:
       return "word";
+    case Availability::kDownloadable:
+      return "load";
+    case Availability::kInsufficient:
+      return "LOW ";
     default:
       return "NO  ";
   }
@@ -69,6 +73,27 @@ void WriteFinding(std::ostream& out, const Finding& finding, int depth) {
       << " " << Name(finding.what) << ": " << finding.explanation << "\n";
   if (finding.availability == Availability::kAvailable) return;
   for (const Finding& dependency : finding.dependencies) WriteFinding(out, dependency, depth + 1);
+}
+
+std::string NameOf(const RepairItem& item) {
+  const std::size_t bounds = item.text.size() - std::min(item.text.size(), item.what.label.size());
+  return Name(item.what) + item.text.substr(item.text.size() - bounds);
+}
+
+void WriteRepairs(std::ostream& out, const MatchReport& report) {
+  for (std::size_t i = 0; i < report.repairs.size(); ++i) {
+    const Repair& repair = report.repairs[i];
+    if (i == 0) {
+      out << (report.repair_is_smallest ? "The smallest repair is to add: "
+                                        : "A repair is to add: ");
+    } else {
+      out << "  or to add: ";
+    }
+    for (std::size_t j = 0; j < repair.add.size(); ++j) {
+      out << (j == 0 ? "" : ", ") << NameOf(repair.add[j]);
+    }
+    out << (i == 0 ? ".\n" : "\n");
+  }
 }
 
 }  // namespace
@@ -116,9 +141,16 @@ std::string ToText(const MatchReport& report) {
   }
   if (!report.capabilities.empty()) out << "The robot has:\n";
   for (const Finding& finding : report.capabilities) WriteFinding(out, finding, 0);
-  if (!report.smallest_repair.empty()) {
-    out << "The smallest repair is to add: " << Joined(report.smallest_repair, ", ") << ".\n";
+  if (!report.requirements.empty()) out << "The steps require in numbers:\n";
+  for (const StepRequirement& requirement : report.requirements) {
+    WriteFinding(out, requirement.finding, 0);
   }
+  if (!report.downloads.empty()) out << "To be downloaded:\n";
+  for (const Download& download : report.downloads) {
+    out << "  " << Name(download.what) << ": " << download.offer.document << " "
+        << download.offer.file << "\n";
+  }
+  WriteRepairs(out, report);
   WriteNotes(out, report.warnings, "Warnings:");
   return out.str();
 }

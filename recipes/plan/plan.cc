@@ -36,8 +36,11 @@ Value PlanningOptions(const rdf::View& view, const PlanOptions& options) {
     answers.push_back(
         Value{prolog::Compound{"-", {Value{Atom{step}}, Value{Atom{skill_template}}}}});
   }
+  prolog::List offers;
+  for (const Offer& offer : options.offers) offers.push_back(Value{Atom{offer.class_iri}});
   return Value{prolog::Dict{{"strict", Boolean(options.strict)},
                             {"answers", Value{std::move(answers)}},
+                            {"offers", Value{std::move(offers)}},
                             {"environment", Value{Atom{options.environment}}},
                             {"layers", Texts(options.layers)},
                             {"given", ToGiven(view, options.set)}}};
@@ -281,7 +284,7 @@ Value Ask(prolog::EnginePool& engines, const rdf::View& view, const std::string&
 PlanResult MakePlan(prolog::EnginePool& engines, const rdf::View& view, const std::string& task_iri,
                     const std::string& robot_iri, const PlanOptions& options) {
   PlanResult result;
-  result.match = Match(engines, view, task_iri, robot_iri, {options.strict});
+  result.match = Match(engines, view, task_iri, robot_iri, {options.strict, options.offers});
   if (!result.match.feasible) return result;
   const Value value = Ask(engines, view, "planning", "plan",
                           {Value{Atom{task_iri}}, Value{Atom{robot_iri}},

@@ -5,6 +5,7 @@
 #include "server/api/answers.h"
 #include "server/api/context.h"
 #include "server/api/package.h"
+#include "server/api/recipe_robots.h"
 #include "server/http/media_type.h"
 #include "server/http/problem.h"
 
@@ -114,6 +115,7 @@ http::ProblemError Refusal(const server::PlanAnswer& answer) {
   const recipes::PlanResult& result = answer.result;
   PlainJson members = recipes::ToJson(result);
   members["capable_robots"] = PlainJson(ToJson(answer.capable_robots));
+  members["nearest_robots"] = PlainJson(ToJson(answer.nearest_robots));
   const recipes::MatchReport& match = result.match;
   const auto problem = [&](const char* code, const std::string& message) {
     members["text"] = code == std::string("not-feasible") ? recipes::ToText(match) : message;

@@ -1,5 +1,6 @@
 #include "server/api/context.h"
 #include "server/api/documents.h"
+#include "server/api/recipe_robots.h"
 
 namespace lares::api {
 
@@ -7,6 +8,7 @@ void AddRecipeRoutes(http::Router& router, Context& context) {
   const DocumentRoutes routes{store::DocumentKind::kRecipe, "/v1/recipes", "Recipe", "Recipes"};
   AddDocumentPutRoutes(routes, router, context);
   AddDocumentReadRoutes(routes, router, context);
+  AddRecipeRobotRoute(router, context);
 }
 
 }  // namespace lares::api

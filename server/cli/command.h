@@ -21,6 +21,7 @@ struct Options {
 // `options` outlives the app.
 void AddServe(CLI::App& app, const Options& options);
 void AddRecipe(CLI::App& app, const Options& options);
+void AddRecipeRobots(CLI::App& recipe, const Options& options);
 void AddRobot(CLI::App& app, const Options& options);
 void AddRobotQuestions(CLI::App& robot, const Options& options);
 void AddOntology(CLI::App& app, const Options& options);

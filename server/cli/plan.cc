@@ -80,6 +80,14 @@ void PrintRefusal(const RemoteError& error) {
     for (const Json& robot : document["capable_robots"]) text += " " + TextOf(robot, "label");
     text += "\n";
   }
+  if (document.contains("nearest_robots")) {
+    for (const Json& robot : document["nearest_robots"]) {
+      text += "robot that nearly can: " + TextOf(robot, "id") + ", with";
+      for (const Json& item : robot.value("add", Json::array())) {
+        text += " " + TextOf(item, "text") + (&item == &robot["add"].back() ? "\n" : ",");
+      }
+    }
+  }
   Print(text);
 }
 

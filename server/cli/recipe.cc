@@ -22,10 +22,12 @@ std::string NamesOf(const Json& document) {
 }
 
 void AddRecipe(CLI::App& app, const Options& options) {
-  auto* recipe = AddCommand(app, "recipe", "Action recipes: what is to be done",
-                            "  lares recipe put search.owl\n  lares recipe list");
+  auto* recipe = AddCommand(
+      app, "recipe", "Action recipes: what is to be done",
+      "  lares recipe put search.owl\n  lares recipe list\n  lares recipe robots FindBottle");
   recipe->require_subcommand(1);
   AddDocumentCommands(*recipe, {"/v1/recipes", "recipe", "TASKS", NamesOf}, options, "search.owl");
+  AddRecipeRobots(*recipe, options);
 }
 
 }  // namespace lares::cli

@@ -17,6 +17,7 @@
 #include "reasoner/prolog/engine_pool.h"
 #include "recipes/match/capabilities.h"
 #include "recipes/match/match.h"
+#include "recipes/match/rank.h"
 #include "recipes/plan/plan.h"
 #include "recipes/skill/skill_template.h"
 #include "server/knowledge/changes.h"
@@ -76,10 +77,30 @@ struct PlanRequest {
   std::vector<std::string> done;                 // made anew: the steps that are done
 };
 
+// One of the stored robots, as it stands to a task.
+struct RobotRank {
+  std::string document;  // id
+  recipes::RankedRobot ranked;
+};
+
+struct RobotsRequest {
+  std::string task;             // document id, IRI, label or local name
+  std::string environment;      // id; empty for none: no maps are on offer then
+  int environment_version = 0;  // 0: newest
+  bool strict = false;
+};
+
+struct RobotsAnswer {
+  recipes::Resource task;
+  std::vector<RobotRank> robots;  // able ones first, then by the cost of the smallest change
+};
+
 struct PlanAnswer {
   recipes::PlanResult result;
   // When the match is not feasible: every stored robot that could, by id.
   std::vector<recipes::Resource> capable_robots;
+  // And those that could after the smallest changes, at most three.
+  std::vector<RobotRank> nearest_robots;
 };
 
 // What a question is asked about, beside the catalogue. Each empty for none.
@@ -183,10 +204,10 @@ class Knowledge {
   std::shared_ptr<const RobotGrid> MakeRobotGrid(const std::string& robot,
                                                  const std::string& environment,
                                                  int environment_version);
-  // Every stored robot that could do `task`.
-  std::vector<recipes::Resource> CapableRobots(const std::string& task, bool strict);
   // Everything that a stored robot (by any of its names) can do, and what keeps it from the rest.
   recipes::CapabilityReport Capabilities(const std::string& robot, bool strict);
+  // Every stored robot, with what it lacks for a task.
+  RobotsAnswer RankRobots(const RobotsRequest& request);
   WhereAnswer Where(const WhereRequest& request);
   std::vector<ObjectModelInfo> ObjectModels(const std::string& class_name);  // empty: all
 
@@ -229,6 +250,7 @@ class Knowledge {
 
   PutAnswer PutOntology(const PutRequest& request, const rdf::Graph& graph,
                         const rdf::Document& content);
+  void AddOtherRobots(const PlanRequest& request, PlanAnswer& answer);
   std::shared_ptr<const PlaceTables> FindPrior(const std::string& name);
 
   std::unique_ptr<State> state_;

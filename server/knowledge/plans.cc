@@ -64,34 +64,27 @@ PlanAnswer Knowledge::MakePlan(const PlanRequest& request) {
     if (info) options.environment_iri = info->type_iri;
     for (const store::LayerInfo& layer : environment->layers) options.layers.push_back(layer.name);
   }
+  options.offers = state_->OffersFor(recipe.document, OneTarget(recipe), stack.environment);
   PlanAnswer answer;
   answer.result = recipes::MakePlan(state_->engines, state_->ViewOf(stack), OneTarget(recipe),
                                     OneTarget(robot), options);
-  if (!answer.result.match.feasible) {
-    answer.capable_robots = CapableRobots(request.task, request.strict);
-  }
+  if (!answer.result.match.feasible) AddOtherRobots(request, answer);
   return answer;
 }
 
-std::vector<recipes::Resource> Knowledge::CapableRobots(const std::string& task, bool strict) {
-  const Resolved recipe = Resolve(store::DocumentKind::kRecipe, task);
-  const std::string task_iri = OneTarget(recipe);
-  recipes::MatchOptions options;
-  options.strict = strict;
-  std::vector<recipes::Resource> capable;
-  for (const store::DocumentInfo& document :
-       state_->store.ListDocuments(store::DocumentKind::kRobot)) {
-    for (const store::DocumentName& name : document.names) {
-      if (name.kind != "id") continue;
-      const rdf::View view = state_->ViewOf({&document, &recipe.document, nullptr});
-      if (recipes::Match(state_->engines, view, task_iri, name.target, options).feasible) {
-        recipes::Resource robot = Describe(view, name.target);
-        robot.label = document.id;
-        capable.push_back(std::move(robot));
-      }
+// Who else could, and who nearly.
+void Knowledge::AddOtherRobots(const PlanRequest& request, PlanAnswer& answer) {
+  constexpr std::size_t kNearest = 3;
+  const RobotsAnswer all =
+      RankRobots({request.task, request.environment, request.environment_version, request.strict});
+  for (const RobotRank& robot : all.robots) {
+    if (robot.ranked.feasible) {
+      answer.capable_robots.push_back(robot.ranked.robot);
+      answer.capable_robots.back().label = robot.document;
+    } else if (robot.ranked.cost && answer.nearest_robots.size() < kNearest) {
+      answer.nearest_robots.push_back(robot);
     }
   }
-  return capable;
 }
 
 }  // namespace lares::server

@@ -13,6 +13,7 @@
 #include "server/knowledge/catalogue.h"
 #include "server/knowledge/consistency.h"
 #include "server/knowledge/overlays.h"
+#include "server/knowledge/ranking.h"
 #include "server/knowledge/robot_grids.h"
 
 namespace lares::server {
@@ -85,6 +86,20 @@ struct Knowledge::State {
   // `environment_graph`: the environment's semantic layer, where it was read already.
   rdf::View ViewOf(const Stack& stack, const rdf::Graph* environment_graph = nullptr);
   OverlaySource SourceOf(const std::string& graph_name, const store::DocumentInfo& document);
+
+  // Of documents over the catalogue `base`, kept from question to question.
+  std::shared_ptr<const recipes::Needs> NeedsOf(const std::shared_ptr<const CatalogueState>& base,
+                                                const store::DocumentInfo& recipe,
+                                                const std::string& task_iri);
+  std::shared_ptr<const recipes::RobotProfile> ProfileOf(
+      const std::shared_ptr<const CatalogueState>& base, const store::DocumentInfo& robot,
+      const std::string& robot_iri);
+  // What the store can give a robot for this task: models of what it looks for, and maps of
+  // `environment` (null for none).
+  std::vector<recipes::Offer> OffersFor(const store::DocumentInfo& recipe,
+                                        const std::string& task_iri,
+                                        const store::EnvironmentVersion* environment);
+  MatchMemory match_memory;
 
   Overlays overlays{64, [this] { changes.Notify(); }};  // last: its thread uses what stands above
 };

@@ -261,6 +261,69 @@ TEST_F(KnowledgeTest, WhatLacksIsNamedAndCapableRobotsAreListed) {
   EXPECT_EQ(answer.capable_robots[0].label, "rover");
 }
 
+TEST_F(KnowledgeTest, RobotsAreRankedByTheSmallestChangeAndRankedAnewWhenTheyChange) {
+  Put(DocumentKind::kRecipe, "walk", WalkRecipe("Walk", 1));
+  const std::string bare = std::string(kPrefixes) +
+                           ":statue a lares:Robot ; lares:subComponent :eye .\n"
+                           ":eye a lares:Camera .\n";
+  Put(DocumentKind::kRobot, "statue", bare);
+  Put(DocumentKind::kRobot, "rover", BaseOnlyRobot("rover"));
+  const auto ranked = [&] { return knowledge_->RankRobots({"Walk", "", 0, false}).robots; };
+  ASSERT_EQ(ranked().size(), 2U);
+  EXPECT_EQ(ranked()[0].document, "rover");
+  EXPECT_TRUE(ranked()[0].ranked.feasible);
+  EXPECT_EQ(ranked()[1].ranked.cost, 200);
+  ASSERT_EQ(ranked()[1].ranked.repair.add.size(), 1U);
+  EXPECT_EQ(ranked()[1].ranked.repair.add[0].what.iri, "https://w3id.org/lares#MobileBase");
+  const auto refused = knowledge_->MakePlan({"walk", "statue"});
+  EXPECT_TRUE(refused.nearest_robots.size() == 1U &&
+              refused.nearest_robots[0].document == "statue");
+
+  Put(DocumentKind::kRobot, "statue", bare + ":statue lares:subComponent :b . :b a lares:Base .\n");
+  EXPECT_FALSE(ranked()[1].ranked.feasible) << "a base of its own version, yet none that moves";
+  Put(DocumentKind::kRobot, "statue",
+      bare + ":statue lares:subComponent :b . :b a lares:MobileBase .\n");
+  EXPECT_TRUE(ranked()[1].ranked.feasible);
+  EXPECT_EQ(CodeOf([&] {
+              knowledge_->RankRobots({"Walk", "nowhere", 0, false});
+            }),
+            Code::kNotFound);
+  EXPECT_EQ(CodeOf([&] { knowledge_->RankRobots({"Fly", "", 0, false}); }), Code::kNotFound);
+}
+
+TEST_F(KnowledgeTest, AStoredModelIsOnOfferToARobotThatLacksOne) {
+  const std::string search =
+      std::string(kPrefixes) +
+      ":Search a owl:Class ; rdfs:subClassOf lares:PurposefulAction ,\n"
+      "  [ a owl:Restriction ; owl:onProperty lares:subAction ; owl:someValuesFrom :look ] .\n"
+      ":look a owl:Class ; rdfs:subClassOf lares:Perceiving ,\n"
+      "  [ a owl:Restriction ; owl:onProperty lares:dependsOnCapability ;\n"
+      "    owl:someValuesFrom lares:ObjectRecognitionCapability ] ,\n"
+      "  [ a owl:Restriction ; owl:onProperty lares:detectedObject ;\n"
+      "    owl:someValuesFrom lares:Bottle ] .\n";
+  Put(DocumentKind::kRecipe, "search", search);
+  Put(DocumentKind::kRobot, "rover",
+      std::string(kPrefixes) +
+          ":rover a lares:Robot ; lares:subComponent :see .\n"
+          ":see a lares:ObjectRecognitionComponent .\n");
+  const auto ranked = [&] { return knowledge_->RankRobots({"search", "", 0, false}).robots.at(0); };
+  EXPECT_FALSE(ranked().ranked.feasible);
+  Put(DocumentKind::kObjectModel, "cup",
+      std::string(kPrefixes) +
+          ":m a lares:PlanarObjectModel ; lares:providesModelFor lares:Cup .\n");
+  EXPECT_FALSE(ranked().ranked.feasible) << "a model of something else";
+  Put(DocumentKind::kObjectModel, "bottle",
+      std::string(kPrefixes) +
+          ":b a lares:PlanarObjectModel ; lares:providesModelFor lares:DrinkingBottle .\n");
+  EXPECT_TRUE(ranked().ranked.feasible);
+  ASSERT_EQ(ranked().ranked.downloads.size(), 1U);
+  EXPECT_DOUBLE_EQ(ranked().ranked.cost.value(), 0.1);
+  const auto match = knowledge_->MakePlan({"search", "rover"}).result.match;
+  ASSERT_EQ(match.downloads.size(), 1U);
+  EXPECT_EQ(match.downloads[0].offer.document, "object-model:bottle");
+  EXPECT_EQ(match.downloads[0].offer.sha256.size(), 64U);
+}
+
 TEST_F(KnowledgeTest, AbsentImportsAreWarningsAndNothingIsFetched) {
   const auto answer =
       Put(DocumentKind::kRobot, "rover",

@@ -187,6 +187,29 @@ recipes::CapabilityReport Knowledge::Capabilities(const std::string& robot, bool
   return report;
 }
 
+RobotsAnswer Knowledge::RankRobots(const RobotsRequest& request) {
+  RobotsAnswer answer;
+  answer.task = {"urn:" + request.task, request.task, ""};
+  recipes::RankedRobot able;
+  able.robot = {"urn:rover", "Rover", ""};
+  able.feasible = true;
+  able.cost = request.environment.empty() ? 0 : 0.1;
+  if (!request.environment.empty()) able.downloads = {{"urn:map", "map", ""}};
+  recipes::RankedRobot unable;
+  unable.robot = {"urn:statue", "Statue", ""};
+  unable.cost = 200;
+  recipes::Measure speed;
+  speed.quantity = {"urn:speed", "max speed", ""};
+  speed.unit = "m/s";
+  speed.at_least = 0.5;
+  unable.repair = {{{{"urn:Base", "base", ""}, {speed}, 200, "base with a max speed"}}, 200};
+  recipes::RankedRobot hopeless;
+  hopeless.robot = {"urn:stone", "Stone", ""};
+  hopeless.repair_is_smallest = !request.strict;
+  answer.robots = {{"rover", able}, {"statue", unable}, {"stone", hopeless}};
+  return answer;
+}
+
 WhereAnswer Knowledge::Where(const WhereRequest& request) {
   if (testing::Answers().where) return testing::Answers().where(request);
   WhereAnswer answer;

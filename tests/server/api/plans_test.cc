@@ -66,6 +66,36 @@ TEST_F(PlansTest, AnInfeasibleTaskIsAProblemThatExplainsItself) {
   EXPECT_THAT(problem["detail"].get<std::string>(), HasSubstr("lacks ArmComponent"));
 }
 
+TEST_F(PlansTest, ARefusalNamesTheRobotsThatNearlyCan) {
+  Answers().plan = [](const server::PlanRequest&) {
+    server::PlanAnswer answer;
+    recipes::RankedRobot near;
+    near.robot = {"urn:b", "PR2", ""};
+    near.cost = 3;
+    near.repair = {{{{"urn:Program", "program", ""}, {}, 3, "program"}}, 3};
+    answer.nearest_robots = {{"pr2", near}};
+    return answer;
+  };
+  const auto problem = Json(Plan(kRequest));
+  EXPECT_EQ(problem["nearest_robots"][0]["id"], "pr2");
+  EXPECT_EQ(problem["nearest_robots"][0]["cost"], 3);
+  EXPECT_EQ(problem["nearest_robots"][0]["add"][0]["what"]["label"], "program");
+}
+
+TEST_F(PlansTest, RobotsAreRankedForARecipe) {
+  const auto answer = Json(Send("GET", "/v1/recipes/FindBottle/robots?environment=flat"));
+  EXPECT_EQ(answer["task"]["label"], "FindBottle");
+  ASSERT_EQ(answer["robots"].size(), 3U);
+  EXPECT_EQ(answer["robots"][0]["feasible"], true);
+  EXPECT_EQ(answer["robots"][0]["downloads"][0]["label"], "map");
+  EXPECT_EQ(answer["robots"][1]["add"][0]["bounds"][0]["at_least"], 0.5);
+  EXPECT_TRUE(answer["robots"][2]["cost"].is_null());
+  EXPECT_EQ(answer["robots"][2]["repair_is_smallest"], true);
+  const auto strict = Json(Send("GET", "/v1/recipes/FindBottle/robots?strict=true"));
+  EXPECT_EQ(strict["robots"][2]["repair_is_smallest"], false);
+  EXPECT_EQ(Send("GET", "/v1/recipes/FindBottle/robots?strict=perhaps").status, 422);
+}
+
 TEST_F(PlansTest, ChoicesAndUnusableRecipesAreProblemsOfTheirOwn) {
   Answers().plan = [](const server::PlanRequest&) {
     server::PlanAnswer answer;

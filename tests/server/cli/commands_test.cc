@@ -146,6 +146,15 @@ TEST_F(CliTest, NoPlanIsExplainedAndHasItsOwnExitCode) {
   EXPECT_THAT(no.err, HasSubstr("Pioneer cannot do ServeADrink; it lacks ArmComponent"));
 }
 
+TEST_F(CliTest, RobotsOfARecipeAreATableOfWhatTheyLack) {
+  const Outcome robots = Lares({"recipe", "robots", "FindBottle", "--environment", "flat"});
+  EXPECT_EQ(robots.code, 0);
+  EXPECT_THAT(robots.out, AllOf(StartsWith("ROBOT   CAN  COST  CHANGE\n"),
+                                HasSubstr("rover   yes  0.1   downloads map\n"),
+                                HasSubstr("statue  no   200   add base with a max speed\n"),
+                                HasSubstr("stone   no   -     nothing that could be added")));
+}
+
 TEST_F(CliTest, AmbiguousNamesAreListed) {
   Answers().plan = [](const server::PlanRequest&) -> server::PlanAnswer {
     throw Error(Code::kAmbiguous, "'amigo' means several things")

@@ -1,0 +1,91 @@
+// Every stored robot against one task.
+#include "server/knowledge/ranking.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/aside.h"
+#include "reasoner/owl/materialise.h"
+#include "server/knowledge/knowledge.h"
+#include "server/knowledge/offers.h"
+#include "server/knowledge/state.h"
+
+namespace lares::server {
+namespace {
+
+using store::DocumentKind;
+
+std::string KeyOf(const CatalogueState& catalogue, const std::string& source_key,
+                  const std::string& target) {
+  return source_key + "|" + target + "|" + std::to_string(catalogue.generation);
+}
+
+// The document over exactly this catalogue; not among the overlays, where a hundred robots would
+// push out all others.
+rdf::View ViewOver(const CatalogueState& catalogue, const OverlaySource& source) {
+  const rdf::Graph graph = source.read();
+  return catalogue.view.With(Aside([&] { return owl::Materialise(catalogue.view, {graph}); }));
+}
+
+}  // namespace
+
+std::shared_ptr<const recipes::Needs> Knowledge::State::NeedsOf(
+    const std::shared_ptr<const CatalogueState>& base, const store::DocumentInfo& recipe,
+    const std::string& task_iri) {
+  const OverlaySource source = SourceOf(GraphName(recipe.kind, recipe.id), recipe);
+  return match_memory.needs.Get(KeyOf(*base, source.key, task_iri), [&] {
+    return recipes::FindNeeds(engines, ViewOver(*base, source), task_iri);
+  });
+}
+
+std::shared_ptr<const recipes::RobotProfile> Knowledge::State::ProfileOf(
+    const std::shared_ptr<const CatalogueState>& base, const store::DocumentInfo& robot,
+    const std::string& robot_iri) {
+  const OverlaySource source = SourceOf(GraphName(robot.kind, robot.id), robot);
+  return match_memory.profiles.Get(KeyOf(*base, source.key, robot_iri), [&] {
+    return recipes::DescribeRobot(engines, ViewOver(*base, source), robot_iri);
+  });
+}
+
+std::vector<recipes::Offer> Knowledge::State::OffersFor(
+    const store::DocumentInfo& recipe, const std::string& task_iri,
+    const store::EnvironmentVersion* environment) {
+  const auto base = catalogue();
+  std::vector<recipes::Offer> offers =
+      ModelOffers(store, base->view, NeedsOf(base, recipe, task_iri)->sought);
+  if (environment == nullptr) return offers;
+  std::vector<recipes::Offer> maps = MapOffers(*environment);
+  std::move(maps.begin(), maps.end(), std::back_inserter(offers));
+  return offers;
+}
+
+RobotsAnswer Knowledge::RankRobots(const RobotsRequest& request) {
+  const Resolved recipe = Resolve(DocumentKind::kRecipe, request.task);
+  if (recipe.target_iri.empty()) {
+    throw Error(Code::kNotFound, "'" + recipe.document.id + "' describes nothing to use");
+  }
+  std::optional<store::EnvironmentVersion> environment;
+  if (!request.environment.empty()) {
+    environment = state_->store.GetVersion(request.environment, request.environment_version);
+  }
+  recipes::MatchOptions options;
+  options.strict = request.strict;
+  options.offers =
+      state_->OffersFor(recipe.document, recipe.target_iri, environment ? &*environment : nullptr);
+  const auto base = state_->catalogue();
+  const auto needs = state_->NeedsOf(base, recipe.document, recipe.target_iri);
+  RobotsAnswer answer;
+  answer.task = needs->task;
+  for (const store::DocumentInfo& document : state_->store.ListDocuments(DocumentKind::kRobot)) {
+    for (const store::DocumentName& name : document.names) {
+      if (name.kind != "id") continue;
+      const auto profile = state_->ProfileOf(base, document, name.target);
+      answer.robots.push_back({document.id, recipes::Rank(*needs, *profile, options)});
+    }
+  }
+  std::sort(answer.robots.begin(), answer.robots.end(),
+            [](const auto& a, const auto& b) { return recipes::RanksBefore(a.ranked, b.ranked); });
+  return answer;
+}
+
+}  // namespace lares::server
