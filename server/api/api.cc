@@ -18,6 +18,7 @@ http::Router MakeRouter(Context& context) {
   AddEnvironmentDownloadRoutes(router, context);
   AddQuarantineRoutes(router, context);
   AddPlanRoutes(router, context);
+  AddPlanDiffRoutes(router, context);
   AddLikelyPlaceRoutes(router, context);
   AddPrologRoutes(router, context);
   AddReasonRoutes(router, context);

@@ -60,6 +60,7 @@ int Run(int argc, const char* const* argv) {
     AddRecipe(app, options);
     AddRobot(app, options);
     AddPlan(app, options);
+    AddPlanDiff(*app.get_subcommand("plan"), options);
     AddWhere(app, options);
     AddEnvironment(app, options);
     AddPrior(app, options);

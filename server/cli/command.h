@@ -30,6 +30,7 @@ void AddEnvironmentPut(CLI::App& environment, const Options& options);
 void AddEnvironmentGet(CLI::App& environment, const Options& options);
 void AddObjectModel(CLI::App& app, const Options& options);
 void AddPlan(CLI::App& app, const Options& options);
+void AddPlanDiff(CLI::App& plan, Options& options);  // below `lares plan`
 void AddPrior(CLI::App& app, const Options& options);
 void AddProlog(CLI::App& app, const Options& options);
 void AddQuarantine(CLI::App& app, const Options& options);

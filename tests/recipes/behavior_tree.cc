@@ -30,9 +30,8 @@ struct TreeContext {
   // What falls due until the next tick, in order. (utils/timer_queue.h: a thread that waits.)
   void Advance(long long until_ms) {
     for (;;) {
-      const auto next = std::min_element(timers.begin(), timers.end(), [](auto& a, auto& b) {
-        return a.time_ms < b.time_ms;
-      });
+      const auto next = std::min_element(timers.begin(), timers.end(),
+                                         [](auto& a, auto& b) { return a.time_ms < b.time_ms; });
       if (next == timers.end() || next->time_ms > until_ms) break;
       now_ms = next->time_ms;
       const auto fire = next->fire;

@@ -21,8 +21,8 @@ struct TreeContext;
 
 // Runs `<root>`'s main tree, ticked exactly once every 10 ms of a simulated clock
 // (Tree::tickExactlyOnce in a loop of the caller). A node that is none of the built-in ones must be
-// in TreeNodesModel and is a skill: `start` says how an attempt of it goes; like real skills it fails
-// when its outcome is "failed". Throws std::runtime_error for what the library would refuse.
+// in TreeNodesModel and is a skill: `start` says how an attempt of it goes; like real skills it
+// fails when its outcome is "failed". Throws std::runtime_error for what the library would refuse.
 class BehaviorTree {
  public:
   BehaviorTree(const std::string& xml, StartSkill start);

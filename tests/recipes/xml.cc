@@ -78,9 +78,11 @@ class XmlParser {
     element.name = Name();
     for (SkipSpace(); !At("/>") && !At(">"); SkipSpace()) {
       const std::string name = Name();
-      Expect("=\"");
-      if (!element.attributes.emplace(name, Text('"')).second) Fail("attribute twice");
-      Expect("\"");
+      Expect("=");
+      const std::string quote = At("'") ? "'" : "\"";
+      Expect(quote);
+      if (!element.attributes.emplace(name, Text(quote[0])).second) Fail("attribute twice");
+      Expect(quote);
     }
     if (At("/>")) {
       at_ += 2;
