@@ -47,6 +47,7 @@ struct Entry {
   std::string name;   // for people
   std::string exact;  // everything there is to it; equal: no difference
   DiffSide side;
+  std::string fuller;  // said instead of side.why where that leaves both sides reading the same
 };
 using Entries = std::vector<Entry>;
 
@@ -75,7 +76,12 @@ class Comparison {
       }
       used[other] = true;
       if (b[other].exact != entry.exact) {
-        found_.push_back({kind, step, entry.name, entry.side, b[other].side});
+        Difference difference{kind, step, entry.name, entry.side, b[other].side};
+        if (entry.side.value == b[other].side.value && entry.side.why == b[other].side.why) {
+          difference.a.why = entry.fuller;
+          difference.b.why = b[other].fuller;
+        }
+        found_.push_back(std::move(difference));
       }
     }
     for (std::size_t i = 0; i < b.size(); ++i) {
@@ -157,13 +163,27 @@ std::string Exact(const Finding& finding) {
          Listed(finding.dependencies, [](const Finding& each) { return "(" + Exact(each) + ")"; });
 }
 
+// "SonyCamera by <…#camera1>; …", for everything below that some part provides.
+std::string Providers(const Finding& finding) {
+  std::vector<std::string> parts;
+  for (const Resource& part : finding.provided_by) {
+    parts.push_back(std::string(LocalName(finding.what.as_written)) + " by <" + part.iri + ">");
+  }
+  for (const Finding& dependency : finding.dependencies) {
+    const std::string below = Providers(dependency);
+    if (!below.empty()) parts.push_back(below);
+  }
+  return Join(parts, "; ");
+}
+
 Entries FindingEntries(const Plan& plan) {
   Entries entries;
   for (const Finding& finding : plan.match.capabilities) {
     entries.push_back({finding.what.iri,
-                       Name(finding.what),
+                       std::string(LocalName(finding.what.as_written)),
                        Exact(finding),
-                       {std::string(ToString(finding.availability)), finding.explanation}});
+                       {std::string(ToString(finding.availability)), finding.explanation},
+                       Providers(finding)});
   }
   return entries;
 }
@@ -185,7 +205,8 @@ Entries InputEntries(const State& state) {
     const std::string exact = Join({input.type, input.unit, input.value, input.frame, input.text,
                                     std::string(ToString(input.source)), Exact(input.origin)},
                                    "\n");
-    entries.push_back({input.name, input.name, exact, {value, Origin(input)}});
+    const std::string iri = input.origin.iri.empty() ? "" : " <" + input.origin.iri + ">";
+    entries.push_back({input.name, input.name, exact, {value, Origin(input)}, Origin(input) + iri});
   }
   return entries;
 }

@@ -64,7 +64,8 @@ struct PlanDiff {
 };
 
 // Steps are the same when their ids are, or when they are the only ones of the same recipe step.
-// Equal plans have no differences; what can be told apart in JSON is a difference.
+// Equal plans have no differences, and what can be told apart in JSON is one; the order of states
+// and transitions is none.
 PlanDiff DiffPlans(const Plan& a, const Plan& b);
 
 // Follows docs/schemas/plan-diff.schema.json.

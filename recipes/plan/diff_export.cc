@@ -28,13 +28,18 @@ std::string What(const Difference& difference) {
   return difference.name.empty() ? what : what + " " + difference.name;
 }
 
+std::string OneLine(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
 void WriteSide(std::ostream& out, const std::string& indent, char mark, const DiffSide& side) {
   out << indent << mark << " ";
   if (side.value.empty() && side.why.empty()) {
     out << "—\n";
     return;
   }
-  out << side.value;
+  out << OneLine(side.value);
   if (!side.why.empty()) out << (side.value.empty() ? "" : "   ") << "[" << side.why << "]";
   out << "\n";
 }

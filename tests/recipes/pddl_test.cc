@@ -110,7 +110,7 @@ const State* Follow(const Plan& plan, const std::vector<std::string>& actions) {
   std::string id = plan.start;
   for (const std::string& action : actions) {
     const std::size_t mark = action.find("__");
-    EXPECT_EQ(action.substr(0, mark), id);
+    EXPECT_EQ(action.substr(0, mark), ToLower(id));
     std::string outcome = action.substr(mark + 2);
     outcome = outcome.substr(0, outcome.find("__"));
     id = ways.at(id).at(outcome);
