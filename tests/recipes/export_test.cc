@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <random>
+#include <regex>
 
 #include "base/file.h"
 #include "recipes/plan/export.h"
@@ -92,6 +93,36 @@ TEST(BehaviorTreeExport, KeysThatTheTreeItselfUsesAreRenamed) {
   const std::string xml = recipes::ToBehaviorTreeXml(plan);
   EXPECT_THAT(xml, HasSubstr("candidate_poses=\"{state_value}\""));
   EXPECT_THAT(xml, Not(HasSubstr("\"{state}\"")));
+}
+
+// {"Skill", {{"input", …}, {"output", …}}} → ports as the exported models list them.
+std::map<std::string, std::set<std::string>> PortsInDocumentation() {
+  const std::string text = ReadFile(Source("docs/plans.md"));
+  const std::regex entry(R"re(\{"(\w+)", \{\{([^{}]*)\}, \{([^{}]*)\}\}\})re");
+  const std::regex word(R"re("(\w+)")re");
+  std::map<std::string, std::set<std::string>> skills;
+  for (std::sregex_iterator at(text.begin(), text.end(), entry), end; at != end; ++at) {
+    std::set<std::string>& ports = skills[(*at)[1]];
+    ports.insert("outcome");
+    for (const int group : {2, 3}) {
+      const std::string list = (*at)[group];
+      for (std::sregex_iterator name(list.begin(), list.end(), word), none; name != none; ++name) {
+        ports.insert((*name)[1]);
+      }
+    }
+  }
+  return skills;
+}
+
+TEST(BehaviorTreeExport, TheWorkedExampleKnowsEverySkillAndPortOfItsPlan) {
+  const XmlElement root = ParseXml(recipes::ToBehaviorTreeXml(SearchPlan()));
+  std::map<std::string, std::set<std::string>> exported;
+  for (const XmlElement& model : root.children.back().children) {
+    for (const XmlElement& port : model.children) {
+      exported[model.attributes.at("ID")].insert(port.attributes.at("name"));
+    }
+  }
+  EXPECT_EQ(PortsInDocumentation(), exported);
 }
 
 TEST(JsonExport, FollowsThePublishedSchema) {
