@@ -166,8 +166,7 @@ Needs FindNeeds(prolog::EnginePool& engines, const rdf::View& view, const std::s
 
 Needs FindCapabilityNeeds(prolog::EnginePool& engines, const rdf::View& view,
                           const std::string& robot_iri) {
-  const auto answer =
-      engines.Once(view, "matching", "capability_needs", {Value{Atom{robot_iri}}});
+  const auto answer = engines.Once(view, "matching", "capability_needs", {Value{Atom{robot_iri}}});
   if (!answer) throw Error(Code::kInternal, "matching:capability_needs gave no answer");
   return Reader(view, *answer).Read(std::string(rdf::kLares) + "Capability");
 }

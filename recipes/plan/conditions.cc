@@ -190,13 +190,6 @@ bool Touches(const Fluent& a, const Fluent& b) {
   return a.name == b.name && (a.argument == b.argument || a.argument == "*" || b.argument == "*");
 }
 
-std::string ToText(const Fluent& fluent) {
-  std::string text = fluent.holds ? fluent.name : "not " + fluent.name;
-  if (fluent.argument.empty()) return text;
-  const bool is_iri = fluent.argument.find("://") != std::string::npos;
-  return text + "(" + std::string(is_iri ? LocalName(fluent.argument) : fluent.argument) + ")";
-}
-
 Simulation Simulate(const Plan& plan, const std::vector<Fluent>& held) {
   return Simulator(plan, held).Run();
 }

@@ -1,10 +1,18 @@
 // BehaviorTree.CPP v4. A state graph has no direct counterpart in a behaviour tree; a variable
 // `state` and a loop over "if this is the state, run its skill and set the next state" have the
 // same traces. Plans that are a plain row become a plain Sequence.
+//
+// The nodes used have memory: Sequence and Fallback go on at the child that was running, so a skill
+// that takes many ticks is started once and the conditions before it are not asked again.
+#include <cmath>
 #include <sstream>
 
+#include "base/error.h"
 #include "base/text.h"
 #include "recipes/plan/export.h"
+#include "recipes/plan/export_bt_models.h"
+#include "recipes/plan/export_fragment.h"
+#include "recipes/plan/export_xml.h"
 #include "recipes/plan/shape.h"
 
 namespace lares::recipes {
@@ -13,45 +21,17 @@ namespace {
 
 constexpr std::string_view kContract =
     "Every skill node writes the name of its outcome to the port \"outcome\" and returns FAILURE "
-    "when that is \"failed\", SUCCESS otherwise. Poses are written \"x y z qx qy qz qw\" in "
-    "metres.";
+    "when that is \"failed\", SUCCESS otherwise; one that takes time returns RUNNING meanwhile and "
+    "stops when it is halted. Poses are written \"x y z qx qy qz qw\" in metres.";
 
-std::string Escaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\n':
-        escaped += "&#10;";
-        break;
-      case '\t':
-        escaped += "&#9;";
-        break;
-      default:
-        if (static_cast<unsigned char>(c) >= 0x20) escaped += c;  // XML 1.0 has no others
-    }
-  }
-  return escaped;
-}
+// Where the tree itself keeps what it needs to know.
+constexpr std::string_view kOutcome = "outcome";
+constexpr std::string_view kMemberOutcome = "outcome_of_";  // and the member's number
 
-std::string Attribute(std::string_view name, std::string_view value) {
-  return " " + std::string(name) + "=\"" + Escaped(value) + "\"";
-}
-
-// The tree itself uses two keys.
+// Other keys must not be the tree's own.
 std::string SafeKey(const std::string& key) {
-  return key == "state" || key == "outcome" ? key + "_value" : key;
+  const bool taken = key == "state" || key == kOutcome || key.starts_with(kMemberOutcome);
+  return taken ? key + "_value" : key;
 }
 
 std::string InputValue(const Parameter& parameter) {
@@ -59,14 +39,65 @@ std::string InputValue(const Parameter& parameter) {
   return "{" + SafeKey(KeyOf(parameter.value)) + "}";
 }
 
-std::string SkillNode(const State& state, bool with_outcome) {
-  std::string node = "<" + state.skill + Attribute("name", state.id);
-  for (const Parameter& input : state.inputs) node += Attribute(input.name, InputValue(input));
+std::string SkillNode(const State& state, std::string_view outcome_key) {
+  std::string node = "<" + state.skill + XmlAttribute("name", state.id);
+  for (const Parameter& input : state.inputs) node += XmlAttribute(input.name, InputValue(input));
   for (const auto& [output, key] : state.outputs) {
-    node += Attribute(output, "{" + SafeKey(key) + "}");
+    node += XmlAttribute(output, "{" + SafeKey(key) + "}");
   }
-  if (with_outcome) node += Attribute("outcome", "{outcome}");
-  return node + "/>";
+  return node + XmlAttribute("outcome", "{" + std::string(outcome_key) + "}") + "/>";
+}
+
+// The retries around the time limit: the limit is that of one attempt.
+std::vector<TreeDecorator> Decorators(const State& state) {
+  if (!state.tree_fragment.empty()) {
+    TreeFragment fragment = ParseTreeFragment(state.tree_fragment);
+    if (fragment.problems.empty()) return std::move(fragment.decorators);
+    throw Error(Code::kInvalid, "the behaviour tree of '" + state.id +
+                                    "' cannot be used: " + Join(fragment.problems, "; "));
+  }
+  std::vector<TreeDecorator> decorators;
+  if (state.retries > 0) {
+    decorators.push_back({"RetryUntilSuccessful", "num_attempts", state.retries + 1LL});
+  }
+  if (state.time_limit_s > 0) {
+    const long long limit_ms = std::max(1LL, std::llround(state.time_limit_s * 1000));
+    decorators.push_back({"Timeout", "msec", limit_ms});
+  }
+  return decorators;
+}
+
+// The skill in its decorators, each on a line of its own.
+void WriteSkill(std::ostream& out, const State& state, std::string_view outcome_key,
+                std::string indent) {
+  const std::vector<TreeDecorator> decorators = Decorators(state);
+  for (const TreeDecorator& decorator : decorators) {
+    out << indent << "<" << decorator.name
+        << XmlAttribute(decorator.attribute, std::to_string(decorator.number)) << ">\n";
+    indent += "  ";
+  }
+  out << indent << SkillNode(state, outcome_key) << "\n";
+  for (auto decorator = decorators.rbegin(); decorator != decorators.rend(); ++decorator) {
+    indent.resize(indent.size() - 2);
+    out << indent << "</" << decorator->name << ">\n";
+  }
+}
+
+// Side by side: SUCCESS when every member has succeeded; FAILURE as soon as one has failed, and the
+// others are halted. Each member has an outcome of its own; only its status counts here.
+void WriteParallel(std::ostream& out, const Plan& plan, const State& state,
+                   const std::string& indent) {
+  out << indent << "<Parallel" << XmlAttribute("name", state.id)
+      << " success_count=\"-1\" failure_count=\"1\">\n";
+  int number = 0;
+  for (const std::string& id : state.members) {
+    const State* member = FindState(plan, id);
+    if (member == nullptr) {
+      throw Error(Code::kInvalid, "'" + state.id + "' runs '" + id + "', which is no state");
+    }
+    WriteSkill(out, *member, std::string(kMemberOutcome) + std::to_string(++number), indent + "  ");
+  }
+  out << indent << "</Parallel>\n";
 }
 
 // "state := (outcome == 'true') ? 'a' : ((outcome == 'false') ? 'b' : 'c')". Grouped by brackets:
@@ -87,21 +118,44 @@ std::string NextState(const State& state, const std::map<std::string, std::strin
   return "state := " + expression;
 }
 
-void WriteStateBranch(std::ostream& out, const State& state,
+std::string Script(std::string_view code) { return "<Script" + XmlAttribute("code", code) + "/>"; }
+
+// What happened is in `outcome` afterwards, whatever the skill has written on the way: a FAILURE,
+// be it of the last attempt or of its time limit, is always "failed", and a skill that has written
+// nothing is taken to have failed.
+void WriteStateBranch(std::ostream& out, const Plan& plan, const State& state,
                       const std::map<std::string, std::string>& ways) {
   const std::string indent(12, ' ');
-  out << indent << "<Sequence" << Attribute("name", state.id) << ">\n"
-      << indent << "  <ScriptCondition" << Attribute("code", "state == '" + state.id + "'")
-      << "/>\n"
-      << indent << "  <Script" << Attribute("code", "outcome := 'failed'") << "/>\n"
-      << indent << "  <ForceSuccess>" << SkillNode(state, true) << "</ForceSuccess>\n"
-      << indent << "  <Script" << Attribute("code", NextState(state, ways)) << "/>\n"
+  const bool parallel = state.kind == State::Kind::kParallel;
+  out << indent << "<Sequence" << XmlAttribute("name", state.id) << ">\n"
+      << indent << "  <ScriptCondition" << XmlAttribute("code", "state == '" + state.id + "'")
+      << "/>\n";
+  if (!parallel) out << indent << "  " << Script("outcome := 'failed'") << "\n";
+  out << indent << "  <Fallback>\n";
+  if (parallel) {
+    out << indent << "    <Sequence>\n";
+    WriteParallel(out, plan, state, indent + "      ");
+    out << indent << "      " << Script("outcome := 'succeeded'") << "\n"
+        << indent << "    </Sequence>\n";
+  } else {
+    WriteSkill(out, state, kOutcome, indent + "    ");
+  }
+  out << indent << "    " << Script("outcome := 'failed'") << "\n"
+      << indent << "  </Fallback>\n"
+      << indent << "  " << Script(NextState(state, ways)) << "\n"
       << indent << "</Sequence>\n";
 }
 
-void WriteSequence(std::ostream& out, const std::vector<const State*>& steps) {
+void WriteSequence(std::ostream& out, const Plan& plan, const std::vector<const State*>& steps) {
+  const std::string indent(6, ' ');
   out << "    <Sequence>\n";
-  for (const State* step : steps) out << "      " << SkillNode(*step, true) << "\n";
+  for (const State* step : steps) {
+    if (step->kind == State::Kind::kParallel) {
+      WriteParallel(out, plan, *step, indent);
+    } else {
+      WriteSkill(out, *step, kOutcome, indent);
+    }
+  }
   out << "    </Sequence>\n";
 }
 
@@ -118,68 +172,17 @@ std::string SuccessCondition(const Plan& plan) {
 void WriteStateLoop(std::ostream& out, const Plan& plan) {
   const Ways ways = WaysOf(plan);
   out << "    <Sequence>\n"
-      << "      <Script" << Attribute("code", "state := '" + plan.start + "'") << "/>\n"
+      << "      " << Script("state := '" + plan.start + "'") << "\n"
       << "      <ForceSuccess>\n        <KeepRunningUntilFailure>\n          <Fallback>\n";
   for (const State& state : plan.states) {
-    if (state.kind == State::Kind::kEnd) continue;
+    if (state.kind == State::Kind::kEnd || !state.parallel.empty()) continue;
     const auto own = ways.find(state.id);
     static const std::map<std::string, std::string> kNone;
-    WriteStateBranch(out, state, own == ways.end() ? kNone : own->second);
+    WriteStateBranch(out, plan, state, own == ways.end() ? kNone : own->second);
   }
   out << "          </Fallback>\n        </KeepRunningUntilFailure>\n      </ForceSuccess>\n"
-      << "      <ScriptCondition" << Attribute("code", SuccessCondition(plan)) << "/>\n"
+      << "      <ScriptCondition" << XmlAttribute("code", SuccessCondition(plan)) << "/>\n"
       << "    </Sequence>\n";
-}
-
-struct Port {
-  std::string type;
-  std::string description;
-};
-
-struct SkillModel {
-  std::map<std::string, Port> inputs;
-  std::map<std::string, Port> outputs;
-};
-
-std::string PortType(const std::string& type) {
-  if (type == "number") return "double";
-  if (type == "boolean") return "bool";
-  return "std::string";
-}
-
-std::map<std::string, SkillModel> SkillModels(const Plan& plan) {
-  std::map<std::string, SkillModel> models;
-  for (const State& state : plan.states) {
-    if (state.kind == State::Kind::kEnd) continue;
-    SkillModel& model = models[state.skill];
-    for (const Parameter& input : state.inputs) {
-      std::string description = input.type;
-      if (!input.unit.empty()) description += " in " + input.unit;
-      model.inputs.emplace(input.name, Port{PortType(input.type), description});
-    }
-    for (const auto& [output, key] : state.outputs) {
-      model.outputs.emplace(output, Port{"std::string", "what the skill creates"});
-    }
-  }
-  return models;
-}
-
-void WritePort(std::ostream& out, std::string_view element, const std::string& name,
-               const Port& port) {
-  out << "      <" << element << Attribute("name", name) << Attribute("type", port.type) << ">"
-      << Escaped(port.description) << "</" << element << ">\n";
-}
-
-void WriteModels(std::ostream& out, const Plan& plan) {
-  out << "  <TreeNodesModel>\n";
-  for (const auto& [skill, model] : SkillModels(plan)) {
-    out << "    <Action" << Attribute("ID", skill) << ">\n";
-    for (const auto& [name, port] : model.inputs) WritePort(out, "input_port", name, port);
-    for (const auto& [name, port] : model.outputs) WritePort(out, "output_port", name, port);
-    WritePort(out, "output_port", "outcome", {"std::string", "how the skill ended"});
-    out << "    </Action>\n";
-  }
-  out << "  </TreeNodesModel>\n";
 }
 
 std::string TreeId(const Plan& plan) {
@@ -197,16 +200,16 @@ std::string ToBehaviorTreeXml(const Plan& plan) {
   std::ostringstream out;
   const std::string id = TreeId(plan);
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- " << kContract << " -->\n"
-      << "<root BTCPP_format=\"4\"" << Attribute("main_tree_to_execute", id) << ">\n"
-      << "  <BehaviorTree" << Attribute("ID", id) << ">\n";
+      << "<root BTCPP_format=\"4\"" << XmlAttribute("main_tree_to_execute", id) << ">\n"
+      << "  <BehaviorTree" << XmlAttribute("ID", id) << ">\n";
   const std::vector<const State*> steps = LinearSteps(plan);
   if (steps.empty()) {
     WriteStateLoop(out, plan);
   } else {
-    WriteSequence(out, steps);
+    WriteSequence(out, plan, steps);
   }
   out << "  </BehaviorTree>\n";
-  WriteModels(out, plan);
+  WriteSkillModels(out, plan);
   out << "</root>\n";
   return out.str();
 }

@@ -25,6 +25,9 @@ json ToJson(const Parameter& parameter);
 json ToJson(const State& state);
 json ToJson(const Transition& transition);
 json ToJson(const Choice& choice);
+json ToJson(const Fluent& fluent);
+json ToJson(const Effect& effect);
+json ToJson(const Setting& setting);
 
 // Null for what there is none of.
 json ToJsonOrNull(const Resource& resource) {
@@ -127,21 +130,61 @@ json ToJson(const Parameter& parameter) {
   return value;
 }
 
+// What a state may have, left out where there is nothing to say.
+void AddWhatItMayHave(const State& state, json& value) {
+  if (!state.parallel.empty()) value["parallel"] = state.parallel;
+  if (state.retries > 0) value["retries"] = state.retries;
+  if (state.time_limit_s > 0) value["time_limit_s"] = state.time_limit_s;
+  if (!state.tree_fragment.empty()) value["tree_fragment"] = state.tree_fragment;
+  if (!state.claims.empty()) value["claims"] = ToArray(state.claims);
+  if (!state.preconditions.empty()) value["preconditions"] = ToArray(state.preconditions);
+  if (!state.effects.empty()) value["effects"] = ToArray(state.effects);
+}
+
 json ToJson(const State& state) {
+  json value{{"id", state.id}, {"label", state.label}};
   if (state.kind == State::Kind::kEnd) {
-    return {{"id", state.id}, {"label", state.label}, {"kind", "end"}, {"success", state.success}};
+    value["kind"] = "end";
+    value["success"] = state.success;
+    return value;
   }
-  return {{"id", state.id},
-          {"label", state.label},
-          {"kind", "skill"},
-          {"step", ToJson(state.step)},
-          {"action", ToJson(state.action)},
-          {"skill", state.skill},
-          {"skill_template", state.skill_template},
-          {"rada_distance", state.rada_distance},
-          {"inputs", ToArray(state.inputs)},
-          {"outputs", json(state.outputs)},
-          {"outcomes", state.outcomes}};
+  value["outcomes"] = state.outcomes;
+  if (state.kind == State::Kind::kParallel) {
+    value["kind"] = "parallel";
+    value["members"] = state.members;
+    return value;
+  }
+  value["kind"] = "skill";
+  value["step"] = ToJson(state.step);
+  value["action"] = ToJson(state.action);
+  value["skill"] = state.skill;
+  value["skill_template"] = state.skill_template;
+  value["rada_distance"] = state.rada_distance;
+  value["inputs"] = ToArray(state.inputs);
+  value["outputs"] = json(state.outputs);
+  AddWhatItMayHave(state, value);
+  return value;
+}
+
+json ToJson(const Fluent& fluent) {
+  json value{{"name", fluent.name}, {"holds", fluent.holds}};
+  if (!fluent.argument.empty()) value["argument"] = fluent.argument;
+  return value;
+}
+
+json ToJson(const Effect& effect) {
+  return {{"outcome", effect.outcome}, {"fluent", ToJson(effect.fluent)}};
+}
+
+json ToJson(const Setting& setting) {
+  json value{{"name", setting.name},
+             {"type", setting.type},
+             {"value", setting.value},
+             {"text", setting.text},
+             {"is_default", setting.is_default}};
+  if (!setting.unit.empty()) value["unit"] = setting.unit;
+  if (!setting.was.empty()) value["was"] = setting.was;
+  return value;
 }
 
 json ToJson(const Transition& transition) {
@@ -178,12 +221,17 @@ json ToJson(const Plan& plan) {
   if (!plan.environment.empty()) {
     environment = {{"id", plan.environment}, {"version", plan.environment_version}};
   }
-  return {{"format", "lares-plan"},         {"format_version", 1},
-          {"task", ToJson(plan.task)},      {"robot", ToJson(plan.robot)},
-          {"environment", environment},     {"start", plan.start},
-          {"states", ToArray(plan.states)}, {"transitions", ToArray(plan.transitions)},
-          {"unordered", plan.unordered},    {"notes", plan.notes},
-          {"match", ToJson(plan.match)}};
+  json value{{"format", "lares-plan"},         {"format_version", 1},
+             {"task", ToJson(plan.task)},      {"robot", ToJson(plan.robot)},
+             {"environment", environment},     {"start", plan.start},
+             {"states", ToArray(plan.states)}, {"transitions", ToArray(plan.transitions)},
+             {"unordered", plan.unordered},    {"notes", plan.notes},
+             {"match", ToJson(plan.match)}};
+  if (!plan.settings.empty()) value["settings"] = ToArray(plan.settings);
+  if (!plan.assumptions.empty()) value["assumptions"] = ToArray(plan.assumptions);
+  if (!plan.done.empty()) value["done"] = plan.done;
+  if (!plan.given.empty()) value["given"] = plan.given;
+  return value;
 }
 
 json ToJson(const PlanResult& result) {

@@ -3,6 +3,7 @@
 
 #include "base/text.h"
 #include "recipes/plan/export.h"
+#include "recipes/plan/export_words.h"
 #include "recipes/plan/shape.h"
 
 namespace lares::recipes {
@@ -96,7 +97,69 @@ void WriteRepairs(std::ostream& out, const MatchReport& report) {
   }
 }
 
+std::string Texts(const std::vector<Fluent>& fluents) {
+  std::vector<std::string> texts;
+  for (const Fluent& fluent : fluents) texts.push_back(ToText(fluent));
+  return Join(texts, ", ");
+}
+
+void WriteConditions(std::ostream& out, const State& state) {
+  const std::string attempts = AttemptsText(state);
+  if (!attempts.empty()) out << "       " << attempts << "\n";
+  if (!state.claims.empty()) out << "       uses " << Joined(state.claims, ", ") << "\n";
+  if (!state.preconditions.empty()) out << "       needs " << Texts(state.preconditions) << "\n";
+  std::map<std::string, std::vector<Fluent>> effects;
+  for (const Effect& effect : state.effects) effects[effect.outcome].push_back(effect.fluent);
+  for (const auto& [outcome, fluents] : effects) {
+    out << "       after " << outcome << ": " << Texts(fluents) << "\n";
+  }
+}
+
+void WriteSettings(std::ostream& out, const Plan& plan) {
+  if (!plan.settings.empty()) out << "Settings:\n";
+  for (const Setting& setting : plan.settings) {
+    out << "  " << setting.name << " = " << (setting.text.empty() ? setting.value : setting.text);
+    if (!setting.unit.empty()) out << " " << setting.unit;
+    if (!setting.is_default) out << "  [asked for]";
+    if (!setting.was.empty()) out << "  (instead of " << setting.was << ")";
+    out << "\n";
+  }
+  if (!plan.assumptions.empty()) {
+    out << "At the start it must be so: " << Texts(plan.assumptions) << ".\n";
+  }
+  if (!plan.done.empty()) out << "Done already: " << Join(plan.done, ", ") << ".\n";
+  if (!plan.given.empty()) out << "Known from that: " << Join(plan.given, ", ") << ".\n";
+}
+
+void WriteState(std::ostream& out, const Plan& plan, const State& state, int number) {
+  char label[8];
+  std::snprintf(label, sizeof label, "%3d. ", number % 1000);
+  out << label << state.id << ": ";
+  if (state.kind == State::Kind::kParallel) {
+    out << "side by side " << Join(state.members, ", ") << "\n";
+  } else {
+    out << state.skill;
+    if (!state.parallel.empty()) out << "  (side by side, in " << state.parallel << ")";
+    out << "\n";
+  }
+  WriteInputs(out, state);
+  WriteConditions(out, state);
+  WriteWays(out, plan, state);
+}
+
 }  // namespace
+
+std::string AttemptsText(const State& state) {
+  if (!state.tree_fragment.empty()) return "in the template's own decorators";
+  std::string text;
+  if (state.retries > 0) text = "up to " + std::to_string(state.retries + 1) + " times";
+  if (state.time_limit_s > 0) {
+    char limit[32];
+    std::snprintf(limit, sizeof limit, "%.4g s", state.time_limit_s);
+    text += text.empty() ? std::string("at most ") + limit : std::string(", ") + limit + " each";
+  }
+  return text;
+}
 
 std::string ToText(const Plan& plan) {
   std::ostringstream out;
@@ -105,15 +168,11 @@ std::string ToText(const Plan& plan) {
     out << ", in " << plan.environment << " (version " << plan.environment_version << ")";
   }
   out << "\n";
+  WriteSettings(out, plan);
   int number = 0;
   bool fails = false;
   for (const State& state : plan.states) {
-    if (state.kind == State::Kind::kEnd) continue;
-    char label[8];
-    std::snprintf(label, sizeof label, "%3d. ", ++number % 1000);
-    out << label << state.id << ": " << state.skill << "\n";
-    WriteInputs(out, state);
-    WriteWays(out, plan, state);
+    if (state.kind != State::Kind::kEnd) WriteState(out, plan, state, ++number);
   }
   for (const Transition& transition : plan.transitions) {
     fails = fails || (transition.added && transition.outcome == "failed");

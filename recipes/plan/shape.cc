@@ -62,7 +62,7 @@ std::vector<const State*> LinearSteps(const Plan& plan) {
   const Ways ways = WaysOf(plan);
   std::vector<const State*> steps;
   const State* state = FindState(plan, plan.start);
-  while (state != nullptr && state->kind == State::Kind::kSkill) {
+  while (state != nullptr && state->kind != State::Kind::kEnd) {
     if (steps.size() > plan.states.size()) return {};  // a circle
     steps.push_back(state);
     state = PlainNext(plan, ways, *state);

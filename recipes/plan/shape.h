@@ -19,8 +19,8 @@ std::set<std::string> ReachableFrom(const Ways& ways, const std::string& start);
 
 const State* FindState(const Plan& plan, const std::string& id);
 
-// The skill states in a row, when the plan is no more than that: each goes on to the next on
-// "succeeded", the last to a successful end, and everything else fails. Empty otherwise.
+// The skill and parallel states in a row, when the plan is no more than that: each goes on to the
+// next on "succeeded", the last to a successful end, and everything else fails. Empty otherwise.
 std::vector<const State*> LinearSteps(const Plan& plan);
 
 // A C identifier: [A-Za-z_][A-Za-z0-9_]*.

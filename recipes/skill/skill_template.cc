@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "recipes/naming.h"
 #include "recipes/plan/conditions.h"
+#include "recipes/plan/export_fragment.h"
 
 namespace lares::recipes {
 namespace {
@@ -117,6 +118,12 @@ SkillTemplate ToTemplate(const rdf::View& view, const Value& value) {
   found.problems = MakeSentences(view, value.at("problems"));
   found.warnings = MakeSentences(view, value.at("warnings"));
   CheckConditions(found);
+  if (!found.tree_fragment.empty()) {
+    for (const std::string& problem : TreeFragmentProblems(found.tree_fragment)) {
+      found.problems.push_back("'" + found.iri.label + "' <" + found.iri.as_written +
+                               ">: its treeFragment: " + problem);
+    }
+  }
   return found;
 }
 

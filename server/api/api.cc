@@ -19,6 +19,7 @@ http::Router MakeRouter(Context& context) {
   AddRobotGridRoutes(router, context);
   AddQuarantineRoutes(router, context);
   AddPlanRoutes(router, context);
+  AddPlanDiffRoutes(router, context);
   AddLikelyPlaceRoutes(router, context);
   AddPrologRoutes(router, context);
   AddReasonRoutes(router, context);

@@ -41,6 +41,7 @@ void AddEnvironmentRoutes(http::Router& router, Context& context);
 void AddEnvironmentUploadRoute(http::Router& router, Context& context);
 void AddEnvironmentDownloadRoutes(http::Router& router, Context& context);
 void AddPlanRoutes(http::Router& router, Context& context);
+void AddPlanDiffRoutes(http::Router& router, Context& context);
 void AddLikelyPlaceRoutes(http::Router& router, Context& context);
 void AddPrologRoutes(http::Router& router, Context& context);
 void AddQuarantineRoutes(http::Router& router, Context& context);

@@ -5,6 +5,7 @@
 #include "server/api/answers.h"
 #include "server/api/context.h"
 #include "server/api/package.h"
+#include "server/api/plans.h"
 #include "server/api/recipe_robots.h"
 #include "server/http/media_type.h"
 #include "server/http/problem.h"
@@ -20,10 +21,9 @@ struct Format {
   const char* name;  // of ?as=
   const char* media_type;
 };
-constexpr Format kFormats[] = {{"json", "application/json"},
-                               {"bt-xml", "application/xml"},
-                               {"dot", "text/vnd.graphviz"},
-                               {"text", "text/plain"}};
+constexpr Format kFormats[] = {{"json", "application/json"},   {"bt-xml", "application/xml"},
+                               {"dot", "text/vnd.graphviz"},   {"text", "text/plain"},
+                               {"pddl-domain", "text/x-pddl"}, {"pddl-problem", "text/x-pddl"}};
 
 template <typename Value>
 Value Member(const PlainJson& json, const char* name, Value otherwise, const char* type) {
@@ -35,6 +35,8 @@ Value Member(const PlainJson& json, const char* name, Value otherwise, const cha
     throw Error(Code::kInvalid, std::string("'") + name + "' must be " + type);
   }
 }
+
+}  // namespace
 
 server::PlanRequest ReadPlanRequest(const std::string& body) {
   PlainJson json;
@@ -77,12 +79,15 @@ server::PlanRequest ReadPlanRequest(const std::string& body) {
   return request;
 }
 
+namespace {
+
 const Format& ChooseFormat(const http::Request& request) {
   if (const auto as = request.Query("as")) {
     for (const Format& format : kFormats) {
       if (*as == format.name) return format;
     }
-    throw Error(Code::kInvalid, "?as= is json, bt-xml, dot or text, not '" + *as + "'");
+    throw Error(Code::kInvalid,
+                "?as= is json, bt-xml, dot, text, pddl-domain or pddl-problem, not '" + *as + "'");
   }
   std::vector<std::string> offered;
   for (const Format& format : kFormats) offered.emplace_back(format.media_type);
@@ -92,13 +97,15 @@ const Format& ChooseFormat(const http::Request& request) {
   }
   throw http::ProblemError("not-acceptable",
                            "a plan is given as application/json, "
-                           "application/xml, text/vnd.graphviz or text/plain");
+                           "application/xml, text/vnd.graphviz, text/plain or text/x-pddl");
 }
 
 std::string Write(const recipes::Plan& plan, const std::string& format) {
   if (format == "bt-xml") return recipes::ToBehaviorTreeXml(plan);
   if (format == "dot") return recipes::ToDot(plan);
   if (format == "text") return recipes::ToText(plan);
+  if (format == "pddl-domain") return recipes::ToPddlDomain(plan);
+  if (format == "pddl-problem") return recipes::ToPddlProblem(plan);
   return recipes::ToJson(plan).dump(2) + "\n";
 }
 
@@ -110,7 +117,8 @@ std::string Labels(const std::vector<recipes::Resource>& resources) {
   return text;
 }
 
-// The answer "no", with everything that explains it.
+}  // namespace
+
 http::ProblemError Refusal(const server::PlanAnswer& answer) {
   const recipes::PlanResult& result = answer.result;
   PlainJson members = recipes::ToJson(result);
@@ -147,6 +155,8 @@ http::ProblemError Refusal(const server::PlanAnswer& answer) {
   error.WithHint("choose with \"templates\": {\"" + step + "\": …}, or --template " + step + "=…");
   return error;
 }
+
+namespace {
 
 http::Response MakePlan(const http::Request& request, Context& context) {
   const Format& format = ChooseFormat(request);

@@ -61,6 +61,7 @@ int Run(int argc, const char* const* argv) {
     AddRobot(app, options);
     AddSkill(app, options);
     AddPlan(app, options);
+    AddPlanDiff(*app.get_subcommand("plan"), options);
     AddWhere(app, options);
     AddEnvironment(app, options);
     AddPrior(app, options);

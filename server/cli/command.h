@@ -33,6 +33,7 @@ void AddEnvironmentGet(CLI::App& environment, const Options& options);
 void AddObjectModel(CLI::App& app, const Options& options);
 void AddSkill(CLI::App& app, const Options& options);
 void AddPlan(CLI::App& app, Options& options);
+void AddPlanDiff(CLI::App& plan, Options& options);  // below `lares plan`
 void AddPrior(CLI::App& app, const Options& options);
 void AddProlog(CLI::App& app, const Options& options);
 void AddQuarantine(CLI::App& app, const Options& options);

@@ -11,7 +11,9 @@ namespace lares::cli {
 const std::vector<ExitMeaning>& ExitMeanings() {
   static const std::vector<ExitMeaning> meanings = {
       {ExitCode::kOk, "it was done", {}},
-      {ExitCode::kInternal, "a file or connection failed, or Lares itself did", {"io", "internal"}},
+      {ExitCode::kInternal,
+       "a file or connection failed, or Lares itself did; lares plan diff: the plans differ",
+       {"io", "internal"}},
       {ExitCode::kUsage, "the command line was wrong", {}},
       {ExitCode::kRefused,
        "the input was refused: malformed, contradictory, too large, not supported, not allowed",
@@ -47,6 +49,7 @@ ExitCode ExitCodeOf(std::string_view problem_code) {
 ExitCode ExitCodeOf(const std::exception& error) {
   if (dynamic_cast<const http::NoServerError*>(&error) != nullptr) return ExitCode::kNoServer;
   if (dynamic_cast<const FindingsError*>(&error) != nullptr) return ExitCode::kFindings;
+  if (dynamic_cast<const DifferError*>(&error) != nullptr) return ExitCode::kInternal;  // as diff
   if (const auto* remote = dynamic_cast<const RemoteError*>(&error)) {
     return ExitCodeOf(remote->problem_code());
   }

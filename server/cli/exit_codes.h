@@ -29,6 +29,12 @@ class FindingsError : public Error {
   explicit FindingsError(const std::string& message) : Error(Code::kInvalid, message) {}
 };
 
+// Thrown by `lares plan diff` after it has printed what differs.
+class DifferError : public Error {
+ public:
+  explicit DifferError(const std::string& message) : Error(Code::kInvalid, message) {}
+};
+
 struct ExitMeaning {
   ExitCode code;
   std::string_view meaning;

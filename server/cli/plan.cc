@@ -134,8 +134,10 @@ void AddPlan(CLI::App& app, Options& options) {
   command->add_option("--version", plan->version, "of the environment (default: the newest)")
       ->check(CLI::PositiveNumber);
   command->add_flag("--strict", plan->strict, "do not take a capability on the robot maker's word");
-  command->add_option("--as", plan->as, "text, json, bt-xml (BehaviorTree.CPP 4) or dot")
-      ->check(CLI::IsMember({"text", "json", "bt-xml", "dot"}))
+  command
+      ->add_option("--as", plan->as,
+                   "text, json, bt-xml (BehaviorTree.CPP 4), dot, pddl-domain or pddl-problem")
+      ->check(CLI::IsMember({"text", "json", "bt-xml", "dot", "pddl-domain", "pddl-problem"}))
       ->capture_default_str();
   command->add_option("--template", plan->templates,
                       "STEP=TEMPLATE: which skill a step shall use; may be repeated");

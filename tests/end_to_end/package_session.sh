@@ -43,7 +43,7 @@ expect 4 pack object-search nobody flat nothing
 expect 2 ls "$work/nothing"
 head -c 60000000 /dev/zero >"$work/features.bin"
 expect 0 lares environment put large --layer "features=$work/features.bin"
-lares plan object-search --robot scout --environment large --package "$work/cut-off" >/dev/null 2>&1 &
+lares plan ObjectSearch --object Cup --robot scout --environment large --package "$work/cut-off" >/dev/null 2>&1 &
 packing=$!
 for _ in $(seq 200); do
   compgen -G "$work/.lares-package-*" >/dev/null && break

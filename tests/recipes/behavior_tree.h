@@ -1,4 +1,6 @@
-// A small interpreter of the part of BehaviorTree.CPP v4 that plans are written in.
+// A small interpreter of the part of BehaviorTree.CPP v4 that plans are written in. It follows that
+// library's sources (version 4.6), each named where it is followed; nothing is skipped here, as no
+// node has a precondition.
 #pragma once
 
 #include <functional>
@@ -7,36 +9,33 @@
 #include <string>
 #include <vector>
 
+#include "tests/recipes/skill_run.h"
+#include "tests/recipes/xml.h"
+
 namespace lares::testing {
 
-struct XmlElement {
-  std::string name;
-  std::map<std::string, std::string> attributes;
-  std::vector<XmlElement> children;
-  std::string text;
-};
-// Well-formed documents without DTD or CDATA; throws std::runtime_error otherwise.
-XmlElement ParseXml(const std::string& text);
+enum class TickStatus { kIdle, kSuccess, kFailure, kRunning };
 
-enum class TickStatus { kSuccess, kFailure, kRunning };
+class TreeNode;
+struct TreeContext;
 
-// Runs `<root>`'s main tree to its end. A node that is none of the built-in ones is a skill:
-// `run(state name)` gives its outcome; like real skills it fails when that is "failed".
+// Runs `<root>`'s main tree, ticked exactly once every 10 ms of a simulated clock
+// (Tree::tickExactlyOnce in a loop of the caller). A node that is none of the built-in ones must be
+// in TreeNodesModel and is a skill: `start` says how an attempt of it goes; like real skills it
+// fails when its outcome is "failed". Throws std::runtime_error for what the library would refuse.
 class BehaviorTree {
  public:
-  using Run = std::function<std::string(const std::string& state)>;
-  BehaviorTree(const std::string& xml, Run run);
+  BehaviorTree(const std::string& xml, StartSkill start);
+  ~BehaviorTree();
   // kSuccess or kFailure; kRunning when `max_ticks` did not suffice.
   TickStatus RunToEnd(int max_ticks);
+  // What the skills did.
+  const std::vector<SkillEvent>& events() const;
 
  private:
-  TickStatus Tick(const XmlElement& element);
-  TickStatus RunSkill(const XmlElement& element);
-  std::string Evaluate(const std::string& code);
-
-  XmlElement root_;
-  Run run_;
-  std::map<std::string, std::string> blackboard_;
+  std::unique_ptr<TreeContext> context_;
+  XmlElement root_;  // the nodes refer to it
+  std::unique_ptr<TreeNode> tree_;
 };
 
 }  // namespace lares::testing

@@ -2,14 +2,14 @@
 
 #include <nlohmann/json.hpp>
 #include <random>
+#include <regex>
 
 #include "base/file.h"
 #include "recipes/plan/export.h"
-#include "recipes/plan/shape.h"
-#include "tests/recipes/behavior_tree.h"
 #include "tests/recipes/json_schema.h"
 #include "tests/recipes/random_plan.h"
 #include "tests/recipes/world.h"
+#include "tests/recipes/xml.h"
 
 namespace lares::testing {
 namespace {
@@ -43,87 +43,6 @@ recipes::PlanOptions ForACup() {
 }
 Plan SearchPlan() { return *LibraryPlan("object-search", "ObjectSearch", "scout", ForACup()).plan; }
 Plan FetchPlan() { return *LibraryPlan("fetch-drink", "FetchDrink", "helper").plan; }
-
-// What the plan's graph does when the n-th skill run ends in its outcome number `choices[n]`.
-struct Trace {
-  std::vector<std::string> states;
-  bool ended = false;
-  bool success = false;
-  friend bool operator==(const Trace&, const Trace&) = default;
-};
-
-std::string Outcome(const State& state, int choice) {
-  return state.outcomes[static_cast<std::size_t>(choice) % state.outcomes.size()];
-}
-
-Trace RunGraph(const Plan& plan, const std::vector<int>& choices) {
-  const recipes::Ways ways = recipes::WaysOf(plan);
-  Trace trace;
-  const State* state = recipes::FindState(plan, plan.start);
-  for (const int choice : choices) {
-    if (state->kind == State::Kind::kEnd) break;
-    trace.states.push_back(state->id);
-    state = recipes::FindState(plan, ways.at(state->id).at(Outcome(*state, choice)));
-  }
-  trace.ended = state->kind == State::Kind::kEnd;
-  trace.success = trace.ended && state->success;
-  return trace;
-}
-
-struct OutOfChoices {};
-
-Trace RunTree(const Plan& plan, const std::vector<int>& choices) {
-  Trace trace;
-  BehaviorTree tree(recipes::ToBehaviorTreeXml(plan), [&](const std::string& id) {
-    if (trace.states.size() == choices.size()) throw OutOfChoices{};
-    trace.states.push_back(id);
-    return Outcome(*recipes::FindState(plan, id), choices[trace.states.size() - 1]);
-  });
-  try {
-    trace.success = tree.RunToEnd(10'000) == TickStatus::kSuccess;
-    trace.ended = true;
-  } catch (const OutOfChoices&) {
-  }
-  return trace;
-}
-
-std::vector<int> RandomChoices(std::mt19937& random) {
-  std::vector<int> choices(20);
-  for (int& choice : choices) choice = std::uniform_int_distribution<int>(0, 5)(random);
-  return choices;
-}
-
-TEST(BehaviorTreeExport, HasTheTracesOfThePlansGraph) {
-  std::mt19937 random(7);
-  int ended = 0, loops = 0;
-  for (int i = 0; i < 300; ++i) {
-    const Plan plan = RandomPlan(random, 8);
-    loops += recipes::LinearSteps(plan).empty();
-    for (int run = 0; run < 5; ++run) {
-      const std::vector<int> choices = RandomChoices(random);
-      const Trace expected = RunGraph(plan, choices);
-      ended += expected.ended;
-      ASSERT_EQ(RunTree(plan, choices).states, expected.states) << recipes::ToBehaviorTreeXml(plan);
-      ASSERT_EQ(RunTree(plan, choices), expected) << recipes::ToBehaviorTreeXml(plan);
-    }
-  }
-  EXPECT_GT(ended, 500);
-  EXPECT_GT(loops, 100);
-}
-
-TEST(BehaviorTreeExport, APlainRowIsAPlainSequence) {
-  const Plan plan = FetchPlan();
-  const std::string xml = recipes::ToBehaviorTreeXml(plan);
-  EXPECT_THAT(xml, Not(HasSubstr("Script")));
-  std::mt19937 random(3);
-  for (int i = 0; i < 50; ++i) {
-    const std::vector<int> choices = RandomChoices(random);
-    ASSERT_EQ(RunTree(plan, choices), RunGraph(plan, choices));
-  }
-  const std::vector<int> all_well(20, 0);
-  EXPECT_TRUE(RunTree(plan, all_well).success);
-  EXPECT_EQ(RunTree(plan, all_well).states.size(), 7u);
-}
 
 TEST(BehaviorTreeExport, ModelsListEverySkillOnceWithItsPorts) {
   const XmlElement root = ParseXml(recipes::ToBehaviorTreeXml(FetchPlan()));
@@ -182,6 +101,36 @@ TEST(BehaviorTreeExport, KeysThatTheTreeItselfUsesAreRenamed) {
   EXPECT_THAT(xml, Not(HasSubstr("\"{state}\"")));
 }
 
+// {"Skill", {{"input", …}, {"output", …}}} → ports as the exported models list them.
+std::map<std::string, std::set<std::string>> PortsInDocumentation() {
+  const std::string text = ReadFile(Source("docs/plans.md"));
+  const std::regex entry(R"re(\{"(\w+)", \{\{([^{}]*)\}, \{([^{}]*)\}\}\})re");
+  const std::regex word(R"re("(\w+)")re");
+  std::map<std::string, std::set<std::string>> skills;
+  for (std::sregex_iterator at(text.begin(), text.end(), entry), end; at != end; ++at) {
+    std::set<std::string>& ports = skills[(*at)[1]];
+    ports.insert("outcome");
+    for (const int group : {2, 3}) {
+      const std::string list = (*at)[group];
+      for (std::sregex_iterator name(list.begin(), list.end(), word), none; name != none; ++name) {
+        ports.insert((*name)[1]);
+      }
+    }
+  }
+  return skills;
+}
+
+TEST(BehaviorTreeExport, TheWorkedExampleKnowsEverySkillAndPortOfItsPlan) {
+  const XmlElement root = ParseXml(recipes::ToBehaviorTreeXml(SearchPlan()));
+  std::map<std::string, std::set<std::string>> exported;
+  for (const XmlElement& model : root.children.back().children) {
+    for (const XmlElement& port : model.children) {
+      exported[model.attributes.at("ID")].insert(port.attributes.at("name"));
+    }
+  }
+  EXPECT_EQ(PortsInDocumentation(), exported);
+}
+
 TEST(JsonExport, FollowsThePublishedSchema) {
   const nlohmann::json schema = Schema();
   EXPECT_THAT(ValidateJson(schema, recipes::ToJson(SearchPlan())), IsEmpty());
@@ -190,6 +139,8 @@ TEST(JsonExport, FollowsThePublishedSchema) {
   for (int i = 0; i < 50; ++i) {
     const auto json = recipes::ToJson(RandomPlan(random, 6));
     ASSERT_THAT(ValidateJson(schema, json), IsEmpty());
+    const auto full = recipes::ToJson(RandomFullPlan(random, 6));
+    ASSERT_THAT(ValidateJson(schema, full), IsEmpty()) << full.dump(1);
   }
 }
 

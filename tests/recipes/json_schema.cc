@@ -53,8 +53,16 @@ class Validator {
       if (value.is_string() && value.get<std::string>().size() < argument.get<std::size_t>()) {
         Fail(path, "is too short");
       }
+    } else if (keyword == "maxLength") {
+      if (value.is_string() && value.get<std::string>().size() > argument.get<std::size_t>()) {
+        Fail(path, "is too long");
+      }
     } else if (keyword == "minimum") {
       if (value.is_number() && value < argument) Fail(path, "is too small");
+    } else if (keyword == "exclusiveMinimum") {
+      if (value.is_number() && value <= argument) Fail(path, "is too small");
+    } else if (keyword == "maximum") {
+      if (value.is_number() && value > argument) Fail(path, "is too large");
     } else if (keyword == "pattern") {
       if (value.is_string() &&
           !std::regex_search(value.get<std::string>(), std::regex(argument.get<std::string>()))) {

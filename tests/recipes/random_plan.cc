@@ -73,7 +73,128 @@ Plan AnyPlan(std::mt19937& random, int max_states) {
   return plan;
 }
 
+recipes::Resource Thing(const std::string& name) {
+  return {"https://example.org/thing#" + name, name, "https://example.org/thing#" + name};
+}
+
+recipes::Fluent RandomFluent(std::mt19937& random) {
+  static const std::vector<recipes::Fluent> kFluents = {
+      {"holding", "https://example.org/thing#cup", true},
+      {"holding", "https://other.example.org/Cup", true},
+      {"holding", "*", false},
+      {"hand_empty", "", true},
+      {"at", "{next_pose}", true}};
+  recipes::Fluent fluent = kFluents[static_cast<std::size_t>(Below(random, 5))];
+  if (fluent.argument != "*") fluent.holds = Below(random, 3) > 0;
+  return fluent;
+}
+
+void DecorateSkill(std::mt19937& random, State& state) {
+  static const std::vector<std::string> kFragments = {
+      "<RetryUntilSuccessful num_attempts=\"2\"><Delay delay_msec=\"25\"><Skill/></Delay>"
+      "</RetryUntilSuccessful>",
+      "<Timeout msec=\"300\"><RetryUntilSuccessful num_attempts=\"5\"><Timeout msec=\"90\">"
+      "<Skill/></Timeout></RetryUntilSuccessful></Timeout>",
+      "<Delay delay_msec=\"40\">\n  <Timeout msec='120'><Skill></Skill></Timeout>\n</Delay>",
+      "<Timeout msec=\"95\"><Delay delay_msec=\"40\"><Skill/></Delay></Timeout>"};
+  static const std::vector<double> kLimits_s = {0, 0, 0.03, 0.1, 0.205};
+  state.retries = Below(random, 3);
+  state.time_limit_s = kLimits_s[static_cast<std::size_t>(Below(random, 5))];
+  if (Below(random, 5) == 0) {
+    state.tree_fragment = kFragments[static_cast<std::size_t>(Below(random, 4))];
+  }
+  if (Below(random, 3) == 0) state.claims.push_back(Thing("Base"));
+  if (Below(random, 3) == 0) state.preconditions.push_back(RandomFluent(random));
+  for (int count = Below(random, 3); count > 0; --count) {
+    const auto outcome =
+        static_cast<std::size_t>(Below(random, static_cast<int>(state.outcomes.size())));
+    state.effects.push_back({state.outcomes[outcome], RandomFluent(random)});
+  }
+  if (Below(random, 4) == 0)
+    state.outputs.emplace("found", Below(random, 2) == 0 ? "state" : "next_pose");
+  if (Below(random, 3) == 0) {
+    state.inputs.push_back({"pose", "pose", "m", "1 2 0 0 0 0 1", "map", "at the table",
+                            recipes::Parameter::Source::kRobot, Thing("camera")});
+  }
+}
+
+// A state that can succeed and fail only becomes one that runs two or three skills.
+void MakeParallel(std::mt19937& random, Plan& plan, std::size_t at) {
+  State parallel;
+  parallel.id = plan.states[at].id;
+  parallel.label = "side by side";
+  parallel.kind = State::Kind::kParallel;
+  parallel.outcomes = plan.states[at].outcomes;
+  std::vector<State> members;
+  for (int i = 2 + Below(random, 2); i > 0; --i) {
+    State member = plan.states[at];
+    member.id += "-member-" + std::to_string(i);
+    member.parallel = parallel.id;
+    parallel.members.push_back(member.id);
+    members.push_back(std::move(member));
+  }
+  plan.states[at] = std::move(parallel);
+  plan.states.insert(plan.states.begin() + static_cast<std::ptrdiff_t>(at) + 1, members.begin(),
+                     members.end());
+}
+
+recipes::MatchReport RandomMatch(std::mt19937& random, const Plan& plan) {
+  recipes::MatchReport match;
+  match.task = plan.task;
+  match.robot = plan.robot;
+  match.feasible = true;
+  match.needs.push_back({Thing("Step"), Thing("Moving"), {Thing("Step"), Thing("Navigating")}});
+  recipes::Finding component;
+  component.kind = recipes::Finding::Kind::kComponent;
+  component.what = Thing("Laser");
+  component.provided_by = {Thing("laser1")};
+  recipes::Finding capability;
+  capability.what = Thing("Moving");
+  capability.asserted = Below(random, 2) == 0;
+  capability.availability = capability.asserted ? recipes::Availability::kOnMakersWord
+                                                : recipes::Availability::kAvailable;
+  capability.dependencies.push_back(component);
+  capability.explanation = "the robot has it";
+  match.capabilities.push_back(capability);
+  if (capability.asserted) match.warnings.emplace_back("on the maker's word");
+  return match;
+}
+
+void DecoratePlan(std::mt19937& random, Plan& plan) {
+  if (Below(random, 2) == 0) {
+    plan.environment = "flat";
+    plan.environment_version = Below(random, 3);
+  }
+  if (Below(random, 2) == 0) plan.unordered.push_back({"one", "two"});
+  if (Below(random, 2) == 0) plan.notes.emplace_back("a note with \"quotes\"");
+  if (Below(random, 2) == 0) {
+    plan.settings.push_back(
+        {"object", "class", "", "https://example.org/Cup", "Cup", false, "Mug"});
+    plan.settings.push_back({"speed", "number", "m/s", "0.5", "", true, ""});
+  }
+  for (int count = Below(random, 3); count > 0; --count) {
+    plan.assumptions.push_back(RandomFluent(random));
+  }
+  if (Below(random, 4) == 0) plan.done.emplace_back("step-before");
+  if (Below(random, 4) == 0) plan.given.emplace_back("next_pose");
+  plan.match = RandomMatch(random, plan);
+}
+
 }  // namespace
+
+Plan RandomFullPlan(std::mt19937& random, int max_states) {
+  Plan plan = RandomPlan(random, max_states);
+  for (std::size_t at = 0; at < plan.states.size(); ++at) {
+    const State& state = plan.states[at];
+    const bool plain = state.outcomes == std::vector<std::string>{"succeeded", "failed"};
+    if (plain && state.parallel.empty() && Below(random, 2) == 0) MakeParallel(random, plan, at);
+  }
+  for (State& state : plan.states) {
+    if (state.kind == State::Kind::kSkill) DecorateSkill(random, state);
+  }
+  DecoratePlan(random, plan);
+  return plan;
+}
 
 Plan RandomPlan(std::mt19937& random, int max_states) {
   for (;;) {

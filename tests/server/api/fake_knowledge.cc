@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "ontology/rdf/reader.h"
+#include "recipes/plan/diff.h"
 #include "recipes/plan/export.h"
 
 namespace lares {
@@ -280,6 +281,21 @@ nlohmann::json ToJson(const PlanResult& result) {
 std::string ToBehaviorTreeXml(const Plan& plan) {
   return "<root task=\"" + plan.task.label + "\"/>";
 }
+std::string ToPddlDomain(const Plan&) { return "(define (domain d))\n"; }
+std::string ToPddlProblem(const Plan&) { return "(define (problem p))\n"; }
+Plan PlanFromJson(const nlohmann::json& json) {
+  if (!json.contains("task")) throw Error(Code::kInvalid, "/ lacks \"task\"");
+  Plan plan;
+  plan.task.label = json.at("task");
+  return plan;
+}
+PlanDiff DiffPlans(const Plan& a, const Plan& b) {
+  PlanDiff diff{a.task.label, b.task.label, {}};
+  if (diff.a != diff.b) diff.differences.emplace_back();
+  return diff;
+}
+nlohmann::json ToJson(const PlanDiff& diff) { return {{"a", diff.a}, {"b", diff.b}}; }
+std::string ToText(const PlanDiff& diff) { return diff.a + " against " + diff.b + "\n"; }
 std::string ToDot(const Plan&) { return "digraph {}\n"; }
 std::string ToText(const Plan& plan) { return "plan of " + plan.task.label + "\n"; }
 std::string ToText(const MatchReport& report) { return report.task.label + " needs more\n"; }

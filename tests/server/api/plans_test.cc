@@ -30,6 +30,37 @@ TEST_F(PlansTest, APlanComesInTheFormatAskedFor) {
   EXPECT_EQ(Plan(kRequest, "?as=poem").status, 422);
 }
 
+TEST_F(PlansTest, PddlComesInTwoDocuments) {
+  EXPECT_EQ(Plan(kRequest, "?as=pddl-domain").body, "(define (domain d))\n");
+  EXPECT_EQ(Plan(kRequest, "?as=pddl-problem").body, "(define (problem p))\n");
+  EXPECT_EQ(Plan(kRequest, "?as=pddl-problem").headers.Get("Content-Type"), "text/x-pddl");
+  EXPECT_EQ(Plan(kRequest, "", "text/x-pddl").body, "(define (domain d))\n");
+  EXPECT_EQ(Plan(kRequest, "", "text/plain").body, "plan of FindBottle\n");
+}
+
+TEST_F(PlansTest, PlansAndRequestsForPlansAreCompared) {
+  const auto diff = [&](const std::string& body, const std::string& query = "") {
+    return Send("POST", "/v1/plans/diff" + query, "application/json", body, "", "");
+  };
+  const auto differ =
+      diff(R"({"a":{"format":"lares-plan","task":"One"},"b":)" + kRequest + "}", "?as=text");
+  EXPECT_EQ(differ.status, 200);
+  EXPECT_EQ(differ.body, "One against FindBottle\n");
+  EXPECT_EQ(differ.headers.Get("X-Plans-Equal"), "false");
+  const auto equal = diff(R"({"a":)" + kRequest + R"(,"b":)" + kRequest + "}");
+  EXPECT_EQ(equal.headers.Get("X-Plans-Equal"), "true");
+  EXPECT_EQ(Json(equal)["a"], "FindBottle");
+  EXPECT_EQ(diff("[]").status, 422);
+  EXPECT_EQ(diff("{").status, 400);
+  EXPECT_EQ(diff(R"({"a":)" + kRequest + "}").status, 422);
+  EXPECT_EQ(diff(R"({"a":1,"b":2})").status, 422);
+  EXPECT_EQ(diff(R"({"a":)" + kRequest + R"(,"b":)" + kRequest + R"(,"c":1})").status, 422);
+  EXPECT_EQ(diff(R"({"a":)" + kRequest + R"(,"b":)" + kRequest + "}", "?as=dot").status, 422);
+  const auto bad = diff(R"({"a":)" + kRequest + R"(,"b":{"format":"lares-plan"}})");
+  EXPECT_EQ(bad.status, 422);
+  EXPECT_THAT(bad.body, HasSubstr("plan b: / lacks"));
+}
+
 TEST_F(PlansTest, EveryMemberReachesThePlanner) {
   server::PlanRequest seen;
   Answers().plan = [&](const server::PlanRequest& request) {

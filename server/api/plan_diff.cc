@@ -1,0 +1,95 @@
+#include "recipes/plan/diff.h"
+
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "recipes/plan/export.h"
+#include "server/api/context.h"
+#include "server/api/plans.h"
+#include "server/http/media_type.h"
+
+namespace lares::api {
+namespace {
+
+using PlainJson = nlohmann::json;
+
+constexpr std::uint64_t kMaxDiffRequest = 16u << 20;
+
+PlainJson ReadSides(const std::string& body) {
+  PlainJson json;
+  try {
+    json = PlainJson::parse(body);
+  } catch (const PlainJson::parse_error& error) {
+    throw http::ProblemError("bad-request", std::string("the body is no JSON: ") + error.what());
+  }
+  if (!json.is_object()) throw Error(Code::kInvalid, "the body must be a JSON object");
+  for (const auto& [name, value] : json.items()) {
+    if (name != "a" && name != "b") {
+      throw Error(Code::kInvalid, "'" + name + "' is not known here")
+          .WithHint("the members are a and b, each a plan or what asks for one");
+    }
+  }
+  return json;
+}
+
+// A plan is taken as it is; anything else asks for one.
+recipes::Plan ReadOrMakePlan(const PlainJson& side, Context& context) {
+  if (side.is_object() && side.contains("format")) return recipes::PlanFromJson(side);
+  server::PlanAnswer answer = context.knowledge.MakePlan(ReadPlanRequest(side.dump()));
+  if (!answer.result.plan) throw Refusal(answer);
+  return *std::move(answer.result.plan);
+}
+
+// Every fault says which side it is of.
+recipes::Plan PlanOf(const PlainJson& sides, const std::string& name, Context& context) {
+  if (!sides.contains(name)) throw Error(Code::kInvalid, "'" + name + "' is missing");
+  try {
+    return ReadOrMakePlan(sides[name], context);
+  } catch (const http::ProblemError&) {
+    throw;  // of a plan that cannot be made: it names task and robot
+  } catch (const Error& error) {
+    Error of_side(error.code(), "plan " + name + ": " + error.what());
+    throw of_side.WithHint(error.hint()).WithCandidates(error.candidates());
+  }
+}
+
+bool WantsText(const http::Request& request) {
+  if (const auto as = request.Query("as")) {
+    if (*as == "json" || *as == "text") return *as == "text";
+    throw Error(Code::kInvalid, "?as= is json or text, not '" + *as + "'");
+  }
+  const auto chosen =
+      http::ChooseMediaType(request.headers.GetList("Accept"), {"application/json", "text/plain"});
+  if (!chosen) {
+    throw http::ProblemError("not-acceptable",
+                             "a comparison is given as application/json or text/plain");
+  }
+  return *chosen == "text/plain";
+}
+
+http::Response Compare(const http::Request& request, Context& context) {
+  const bool text = WantsText(request);
+  const PlainJson sides = ReadSides(http::ReadWholeBody(request, kMaxDiffRequest));
+  const recipes::Plan a = PlanOf(sides, "a", context);
+  const recipes::Plan b = PlanOf(sides, "b", context);
+  const recipes::PlanDiff diff = recipes::DiffPlans(a, b);
+  http::Response response;
+  response.headers.Set("Content-Type", text ? "text/plain; charset=utf-8" : "application/json");
+  response.headers.Set("Vary", "Accept");
+  response.headers.Set("X-Plans-Equal", diff.differences.empty() ? "true" : "false");
+  response.body = text ? recipes::ToText(diff) : recipes::ToJson(diff).dump(2) + "\n";
+  return response;
+}
+
+}  // namespace
+
+void AddPlanDiffRoutes(http::Router& router, Context& context) {
+  router.Add({"POST",
+              "/v1/plans/diff",
+              "diffPlans",
+              [&context](const http::Request& request) { return Compare(request, context); },
+              {"application/json"},
+              kMaxDiffRequest});
+}
+
+}  // namespace lares::api
