@@ -78,9 +78,11 @@ pick(Sorted, _, Situation, Answers, Choice) :-
     Sorted = [Least-_|_],
     findall(Template-Action, member(Least-(Template-Action), Sorted), Nearest0),
     sort(Nearest0, Nearest),
-    (   memberchk(Step-Wanted, Answers)
-    ->  (   member(Distance-(Wanted-Action), Sorted)
-        ->  Choice = chosen(Wanted, Action, Distance)
+    (   member(Named-Wanted, Answers),
+        goes_by(Step, Named)
+    ->  (   member(Distance-(Template-Action), Sorted),
+            template_goes_by(Template, Wanted)
+        ->  Choice = chosen(Template, Action, Distance)
         ;   Choice = none(["the skill template ", name(Wanted), ", asked for, does not apply to ",
                            name(Step)])
         )
@@ -92,6 +94,15 @@ pick(Sorted, _, Situation, Answers, Choice) :-
         ;   Choice = tie(Templates)
         )
     ).
+
+% By IRI, the last part of it, or label.
+goes_by(Thing, Thing) :- !.
+goes_by(Thing, Name) :- atom_concat(Before, Name, Thing), sub_atom(Before, _, 1, 0, '#'), !.
+goes_by(Thing, Name) :- atom_concat(Before, Name, Thing), sub_atom(Before, _, 1, 0, '/'), !.
+goes_by(Thing, Name) :- rdf_label(Thing, Name).
+
+template_goes_by(Template, Name) :- goes_by(Template, Name), !.
+template_goes_by(Template, Name) :- text_of(Template, lares:skillName, Name).
 
 template_name(Template, label(Template)).
 

@@ -16,9 +16,9 @@ for robot in scout helper; do
     expect 0 lares plan ObjectSearch --object Cup --robot "$robot" --environment "$place" --as json --out "$file.json"
     expect 0 lares plan ObjectSearch --object Cup --robot "$robot" --environment "$place" --as bt-xml --out "$file.xml"
     expect 0 lares plan ObjectSearch --object Cup --robot "$robot" --environment "$place" --as pddl-domain
-    has "(define (domain searchforcup)" ":action look-for-cup__true"
+    has "(define (domain objectsearch)" ":action look-for-object__true"
     expect 0 lares plan ObjectSearch --object Cup --robot "$robot" --environment "$place" --as pddl-problem
-    has "(:domain searchforcup)" "(:goal (succeeded))"
+    has "(:domain objectsearch)" "(:goal (succeeded))"
     expect 0 lares plan diff "$file.json" "$file.json"
     has "The plans are equal."
   done

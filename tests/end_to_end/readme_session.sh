@@ -4,6 +4,11 @@
 . "$(dirname "$0")/session.sh"
 start_server
 cd "$session_root" || exit 1
+# Blocks of Turtle that begin with "# name.ttl" are files of the reader's.
+for document in docs/*.md; do
+  awk -v home="$HOME" '/^```turtle$/ {getline; if ($2 ~ /\.ttl$/) file = home "/" $2}
+    /^```/ {file = ""; next} file {print > file}' "$document"
+done
 for document in README.md docs/*.md; do
   while IFS= read -r line; do
     case "$line" in "" | "#"* | "./"* | "git clone"* | "cd "*) continue ;; esac
