@@ -185,6 +185,8 @@ class Knowledge {
   std::vector<semantic::MapObject> MapObjects(const std::string& environment, int version);
 
   PlanAnswer MakePlan(const PlanRequest& request);
+  // What a plan's robot has of what its task needs; no plan is made.
+  recipes::MatchReport MatchTask(const PlanRequest& request);
   // Every stored robot, with what it lacks for a task.
   RobotsAnswer RankRobots(const RobotsRequest& request);
   WhereAnswer Where(const WhereRequest& request);

@@ -54,6 +54,8 @@ PlanAnswer Knowledge::MakePlan(const PlanRequest& request) {
     if (info) options.environment_iri = info->type_iri;
   }
   options.offers = state_->OffersFor(recipe.document, OneTarget(recipe), stack.environment);
+  const recipes::MatchReport match = MatchTask(request);
+  options.match = &match;
   PlanAnswer answer;
   answer.result = recipes::MakePlan(state_->engines, state_->ViewOf(stack), OneTarget(recipe),
                                     OneTarget(robot), options);

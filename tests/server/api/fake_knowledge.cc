@@ -137,6 +137,10 @@ PlanAnswer Knowledge::MakePlan(const PlanRequest& request) {
   return answer;
 }
 
+recipes::MatchReport Knowledge::MatchTask(const PlanRequest& request) {
+  return MakePlan(request).result.match;
+}
+
 RobotsAnswer Knowledge::RankRobots(const RobotsRequest& request) {
   RobotsAnswer answer;
   answer.task = {"urn:" + request.task, request.task, ""};
