@@ -41,8 +41,8 @@ struct Service {
     request.recover = kind == DocumentKind::kRecipe && file.extension() == ".owl";
     knowledge.Put(request);
   }
-  void PutAll(DocumentKind kind, const fs::path& folder, const char* extension) {
-    for (const auto& entry : fs::directory_iterator(folder)) {
+  void PutAll(DocumentKind kind, const fs::path& from, const char* extension) {
+    for (const auto& entry : fs::directory_iterator(from)) {
       if (entry.path().extension() == extension) Put(kind, entry.path());
     }
   }
@@ -64,21 +64,27 @@ void PutRecipesAndRobots(Service& service) {
   service.PutAll(DocumentKind::kRobot, fs::path(data) / "roboearth/robots", ".owl");
 }
 
-// Over a view that is there, needs and profile made anew each time.
+// As the server answers; and, without a limit, over a view that is there with needs and robot read
+// anew.
 void MeasureMatch() {
   Service service;
   PutRecipesAndRobots(service);
   double slowest_ms = 0;
+  double slowest_anew_ms = 0;
   std::string which;
   int pairs = 0;
   for (const std::string& recipe : service.Ids(DocumentKind::kRecipe)) {
     for (const std::string& robot : service.Ids(DocumentKind::kRobot)) {
+      const auto match = [&] { service.knowledge.MatchTask({recipe, robot}); };
+      match();
+      const double ms = MedianOfFive([&] { return 1e3 * SecondsOf(match); });
       const auto task = service.knowledge.Resolve(DocumentKind::kRecipe, recipe).target_iri;
       const auto who = service.knowledge.Resolve(DocumentKind::kRobot, robot).target_iri;
       const rdf::View view = service.knowledge.ViewFor({recipe, robot, "", 0});
-      const auto match = [&] { recipes::Match(service.engines, view, task, who); };
-      match();
-      const double ms = MedianOfFive([&] { return 1e3 * SecondsOf(match); });
+      const auto anew = [&] { recipes::Match(service.engines, view, task, who); };
+      anew();
+      slowest_anew_ms =
+          std::max(slowest_anew_ms, MedianOfFive([&] { return 1e3 * SecondsOf(anew); }));
       ++pairs;
       if (ms <= slowest_ms) continue;
       slowest_ms = ms;
@@ -87,6 +93,7 @@ void MeasureMatch() {
   }
   Row("matching, warm, slowest of " + std::to_string(pairs) + " pairs: " + which, "<", 5, "ms",
       slowest_ms);
+  Note("  … with needs and robot read anew, slowest", "ms", slowest_anew_ms);
 }
 
 void MeasureRanking() {

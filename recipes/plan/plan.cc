@@ -284,7 +284,9 @@ Value Ask(prolog::EnginePool& engines, const rdf::View& view, const std::string&
 PlanResult MakePlan(prolog::EnginePool& engines, const rdf::View& view, const std::string& task_iri,
                     const std::string& robot_iri, const PlanOptions& options) {
   PlanResult result;
-  result.match = Match(engines, view, task_iri, robot_iri, {options.strict, options.offers});
+  result.match = options.match != nullptr
+                     ? *options.match
+                     : Match(engines, view, task_iri, robot_iri, {options.strict, options.offers});
   if (!result.match.feasible) return result;
   const Value value = Ask(engines, view, "planning", "plan",
                           {Value{Atom{task_iri}}, Value{Atom{robot_iri}},

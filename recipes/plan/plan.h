@@ -145,8 +145,9 @@ struct PlanOptions {
   std::vector<std::string> layers;  // kinds of layers that the environment has: "octomap"
   // Parameters of the recipe, or inputs of its skills: name → value as written.
   std::map<std::string, std::string> set;
-  bool sequential = false;    // nothing side by side
-  std::vector<Offer> offers;  // what can be downloaded: it counts as the robot's
+  bool sequential = false;             // nothing side by side
+  std::vector<Offer> offers;           // what can be downloaded: it counts as the robot's
+  const MatchReport* match = nullptr;  // where it was found before
   // A plan made anew: where to go on (empty: where the first step that is not done begins) and
   // which states are done already, by the ids of the plan that was.
   std::string from;

@@ -7,7 +7,7 @@
 namespace lares::api {
 namespace {
 
-Json ToJson(const recipes::RepairItem& item) {
+Json ItemToJson(const recipes::RepairItem& item) {
   Json json{{"what", ToJson(item.what)}, {"cost", item.cost}, {"text", item.text}};
   for (const recipes::Measure& bound : item.bounds) {
     Json limits{{"quantity", ToJson(bound.quantity)}, {"unit", bound.unit}};
@@ -29,7 +29,7 @@ Json ToJson(const server::RobotRank& robot) {
             {"add", Json::array()},
             {"repair_is_smallest", ranked.repair_is_smallest},
             {"downloads", ToJson(ranked.downloads)}};
-  for (const recipes::RepairItem& item : ranked.repair.add) json["add"].push_back(ToJson(item));
+  for (const recipes::RepairItem& item : ranked.repair.add) json["add"].push_back(ItemToJson(item));
   return json;
 }
 

@@ -206,6 +206,8 @@ class Knowledge {
                                                  int environment_version);
   // Everything that a stored robot (by any of its names) can do, and what keeps it from the rest.
   recipes::CapabilityReport Capabilities(const std::string& robot, bool strict);
+  // What a plan's robot has of what its task needs; no plan is made.
+  recipes::MatchReport MatchTask(const PlanRequest& request);
   // Every stored robot, with what it lacks for a task.
   RobotsAnswer RankRobots(const RobotsRequest& request);
   WhereAnswer Where(const WhereRequest& request);

@@ -65,6 +65,8 @@ PlanAnswer Knowledge::MakePlan(const PlanRequest& request) {
     for (const store::LayerInfo& layer : environment->layers) options.layers.push_back(layer.name);
   }
   options.offers = state_->OffersFor(recipe.document, OneTarget(recipe), stack.environment);
+  const recipes::MatchReport match = MatchTask(request);
+  options.match = &match;
   PlanAnswer answer;
   answer.result = recipes::MakePlan(state_->engines, state_->ViewOf(stack), OneTarget(recipe),
                                     OneTarget(robot), options);

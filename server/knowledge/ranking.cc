@@ -59,6 +59,26 @@ std::vector<recipes::Offer> Knowledge::State::OffersFor(
   return offers;
 }
 
+recipes::MatchReport Knowledge::MatchTask(const PlanRequest& request) {
+  const Resolved recipe = Resolve(DocumentKind::kRecipe, request.task);
+  const Resolved robot = Resolve(DocumentKind::kRobot, request.robot);
+  for (const Resolved* one : {&recipe, &robot}) {
+    if (!one->target_iri.empty()) continue;
+    throw Error(Code::kNotFound, "'" + one->document.id + "' describes nothing to use");
+  }
+  std::optional<store::EnvironmentVersion> environment;
+  if (!request.environment.empty()) {
+    environment = state_->store.GetVersion(request.environment, request.environment_version);
+  }
+  const auto base = state_->catalogue();
+  recipes::MatchOptions options;
+  options.strict = request.strict;
+  options.offers =
+      state_->OffersFor(recipe.document, recipe.target_iri, environment ? &*environment : nullptr);
+  return recipes::Match(*state_->NeedsOf(base, recipe.document, recipe.target_iri),
+                        *state_->ProfileOf(base, robot.document, robot.target_iri), options);
+}
+
 RobotsAnswer Knowledge::RankRobots(const RobotsRequest& request) {
   const Resolved recipe = Resolve(DocumentKind::kRecipe, request.task);
   if (recipe.target_iri.empty()) {

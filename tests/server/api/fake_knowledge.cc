@@ -188,6 +188,10 @@ recipes::CapabilityReport Knowledge::Capabilities(const std::string& robot, bool
   return report;
 }
 
+recipes::MatchReport Knowledge::MatchTask(const PlanRequest& request) {
+  return MakePlan(request).result.match;
+}
+
 RobotsAnswer Knowledge::RankRobots(const RobotsRequest& request) {
   RobotsAnswer answer;
   answer.task = {"urn:" + request.task, request.task, ""};
