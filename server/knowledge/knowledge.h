@@ -253,6 +253,8 @@ class Knowledge {
   PutAnswer PutOntology(const PutRequest& request, const rdf::Graph& graph,
                         const rdf::Document& content);
   void AddOtherRobots(const PlanRequest& request, PlanAnswer& answer);
+  // The classes of things that a request gives as values.
+  std::vector<recipes::Resource> ObjectsAskedFor(const PlanRequest& request);
   std::shared_ptr<const PlaceTables> FindPrior(const std::string& name);
 
   std::unique_ptr<State> state_;

@@ -64,7 +64,8 @@ PlanAnswer Knowledge::MakePlan(const PlanRequest& request) {
     if (info) options.environment_iri = info->type_iri;
     for (const store::LayerInfo& layer : environment->layers) options.layers.push_back(layer.name);
   }
-  options.offers = state_->OffersFor(recipe.document, OneTarget(recipe), stack.environment);
+  options.offers = state_->OffersFor(recipe.document, OneTarget(recipe), stack.environment,
+                                     ObjectsAskedFor(request));
   const recipes::MatchReport match = MatchTask(request);
   options.match = &match;
   PlanAnswer answer;

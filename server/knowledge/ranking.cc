@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/aside.h"
+#include "ontology/rdf/vocabulary.h"
 #include "reasoner/owl/materialise.h"
 #include "server/knowledge/knowledge.h"
 #include "server/knowledge/offers.h"
@@ -20,11 +21,15 @@ std::string KeyOf(const CatalogueState& catalogue, const std::string& source_key
   return source_key + "|" + target + "|" + std::to_string(catalogue.generation);
 }
 
-// The document over exactly this catalogue; not among the overlays, where a hundred robots would
+// The documents over exactly this catalogue; not among the overlays, where a hundred robots would
 // push out all others.
-rdf::View ViewOver(const CatalogueState& catalogue, const OverlaySource& source) {
-  const rdf::Graph graph = source.read();
-  return catalogue.view.With(Aside([&] { return owl::Materialise(catalogue.view, {graph}); }));
+rdf::View ViewOver(const CatalogueState& catalogue, const std::vector<OverlaySource>& sources) {
+  rdf::View view = catalogue.view;
+  for (const OverlaySource& source : sources) {
+    const rdf::Graph graph = source.read();
+    view = view.With(Aside([&] { return owl::Materialise(view, {graph}); }));
+  }
+  return view;
 }
 
 }  // namespace
@@ -32,9 +37,15 @@ rdf::View ViewOver(const CatalogueState& catalogue, const OverlaySource& source)
 std::shared_ptr<const recipes::Needs> Knowledge::State::NeedsOf(
     const std::shared_ptr<const CatalogueState>& base, const store::DocumentInfo& recipe,
     const std::string& task_iri) {
-  const OverlaySource source = SourceOf(GraphName(recipe.kind, recipe.id), recipe);
-  return match_memory.needs.Get(KeyOf(*base, source.key, task_iri), [&] {
-    return recipes::FindNeeds(engines, ViewOver(*base, source), task_iri);
+  std::vector<OverlaySource> sources;
+  for (const store::DocumentInfo& nested : NestedIn(recipe)) {
+    sources.push_back(SourceOf(GraphName(nested.kind, nested.id), nested));
+  }
+  sources.push_back(SourceOf(GraphName(recipe.kind, recipe.id), recipe));
+  std::string key;
+  for (const OverlaySource& source : sources) key += source.key + "|";
+  return match_memory.needs.Get(KeyOf(*base, key, task_iri), [&] {
+    return recipes::FindNeeds(engines, ViewOver(*base, sources), task_iri);
   });
 }
 
@@ -43,20 +54,42 @@ std::shared_ptr<const recipes::RobotProfile> Knowledge::State::ProfileOf(
     const std::string& robot_iri) {
   const OverlaySource source = SourceOf(GraphName(robot.kind, robot.id), robot);
   return match_memory.profiles.Get(KeyOf(*base, source.key, robot_iri), [&] {
-    return recipes::DescribeRobot(engines, ViewOver(*base, source), robot_iri);
+    return recipes::DescribeRobot(engines, ViewOver(*base, {source}), robot_iri);
   });
 }
 
 std::vector<recipes::Offer> Knowledge::State::OffersFor(
     const store::DocumentInfo& recipe, const std::string& task_iri,
-    const store::EnvironmentVersion* environment) {
+    const store::EnvironmentVersion* environment,
+    const std::vector<recipes::Resource>& also_sought) {
   const auto base = catalogue();
-  std::vector<recipes::Offer> offers =
-      ModelOffers(store, base->view, NeedsOf(base, recipe, task_iri)->sought);
+  std::vector<recipes::Resource> sought = NeedsOf(base, recipe, task_iri)->sought;
+  sought.insert(sought.end(), also_sought.begin(), also_sought.end());
+  std::vector<recipes::Offer> offers = ModelOffers(store, base->view, sought);
   if (environment == nullptr) return offers;
   std::vector<recipes::Offer> maps = MapOffers(*environment);
   std::move(maps.begin(), maps.end(), std::back_inserter(offers));
   return offers;
+}
+
+std::vector<recipes::Resource> Knowledge::ObjectsAskedFor(const PlanRequest& request) {
+  const rdf::View view = Catalogue();
+  const rdf::Dictionary& dictionary = view.dictionary();
+  const auto sub_class = dictionary.FindIri(std::string(rdf::kRdfs) + "subClassOf");
+  const auto object = dictionary.FindIri(std::string(rdf::kLares) + "PhysicalObject");
+  std::vector<recipes::Resource> classes;
+  if (!sub_class || !object) return classes;
+  for (const auto& [name, value] : request.set) {
+    try {
+      recipes::Resource found = ResolveClass(value);
+      const auto term = dictionary.FindIri(found.iri);
+      if (term && view.Contains({*term, *sub_class, *object})) classes.push_back(std::move(found));
+    } catch (const Error& error) {
+      // No class, or one of several: planning says so where it matters.
+      if (error.code() != Code::kNotFound && error.code() != Code::kAmbiguous) throw;
+    }
+  }
+  return classes;
 }
 
 recipes::MatchReport Knowledge::MatchTask(const PlanRequest& request) {
@@ -74,7 +107,8 @@ recipes::MatchReport Knowledge::MatchTask(const PlanRequest& request) {
   recipes::MatchOptions options;
   options.strict = request.strict;
   options.offers =
-      state_->OffersFor(recipe.document, recipe.target_iri, environment ? &*environment : nullptr);
+      state_->OffersFor(recipe.document, recipe.target_iri, environment ? &*environment : nullptr,
+                        ObjectsAskedFor(request));
   return recipes::Match(*state_->NeedsOf(base, recipe.document, recipe.target_iri),
                         *state_->ProfileOf(base, robot.document, robot.target_iri), options);
 }

@@ -94,11 +94,12 @@ struct Knowledge::State {
   std::shared_ptr<const recipes::RobotProfile> ProfileOf(
       const std::shared_ptr<const CatalogueState>& base, const store::DocumentInfo& robot,
       const std::string& robot_iri);
-  // What the store can give a robot for this task: models of what it looks for, and maps of
-  // `environment` (null for none).
+  // What the store can give a robot for this task: models of what it looks for (with what was asked
+  // for beside), and maps of `environment` (null for none).
   std::vector<recipes::Offer> OffersFor(const store::DocumentInfo& recipe,
                                         const std::string& task_iri,
-                                        const store::EnvironmentVersion* environment);
+                                        const store::EnvironmentVersion* environment,
+                                        const std::vector<recipes::Resource>& also_sought = {});
   MatchMemory match_memory;
 
   Overlays overlays{64, [this] { changes.Notify(); }};  // last: its thread uses what stands above
