@@ -382,8 +382,8 @@ std::string ToSrdl(const Model& model, const Kinematics& kinematics, const Body&
   AddArms(writing, robot);
   AddGrippers(writing, robot);
   AddStated(writing, robot);
-  std::string text = Preamble(writing, label) + "# --- The robot ---\n\n" + kind.Text() + robot.Text() +
-                     "# --- Parts ---\n\n" + writing.more + "# --- Links ---\n\n";
+  std::string text = Preamble(writing, label) + "# --- The robot ---\n\n" + kind.Text() +
+                     robot.Text() + "# --- Parts ---\n\n" + writing.more + "# --- Links ---\n\n";
   for (const int link : kinematics.order) text += writing.link_nodes[At(link)].Text();
   text +=
       "# --- Joints; the pose of each is that of the link it moves, seen from the link before "
