@@ -99,11 +99,13 @@ void MeasureMatch() {
 }
 
 // What our recipes leave to whoever asks; a recipe that has no such parameter is asked without.
-std::map<std::string, std::string> ValuesFor(Service& service, const std::string& recipe) {
-  static const std::map<std::string, std::string> kValues = {{"object", "Cup"},
-                                                             {"to", "1 2 0"},
-                                                             {"places", "helper1, scout1"},
-                                                             {"environment_type", "Kitchen"}};
+std::map<std::string, std::string> ValuesFor(Service& service, const std::string& recipe,
+                                             const std::string& robot) {
+  const std::map<std::string, std::string> kValues = {
+      {"object", "Cup"},
+      {"to", "1 2 0"},
+      {"places", service.knowledge.Resolve(DocumentKind::kRobot, robot).target_iri},
+      {"environment_type", "Kitchen"}};
   std::map<std::string, std::string> set;
   const auto document = service.store->FindDocument(DocumentKind::kRecipe, recipe);
   const auto details = nlohmann::json::parse(document->details_json);
@@ -128,7 +130,7 @@ void MeasurePlans() {
       server::PlanRequest request;
       request.task = recipe;
       request.robot = robot;
-      request.set = ValuesFor(service, recipe);
+      request.set = ValuesFor(service, recipe, robot);
       const auto plan = [&] { return service.knowledge.MakePlan(request); };
       ++(plan().result.plan ? plans : refusals);
       const double ms = MedianOfFive([&] { return 1e3 * SecondsOf([&] { plan(); }); });

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/text.h"
+#include "recipes/plan/export_words.h"
 #include "recipes/plan/shape.h"
 
 namespace lares::recipes {
@@ -156,11 +157,64 @@ Entries NeedEntries(const Plan& plan) {
   return entries;
 }
 
+// "max range at least 3 m: has 5 m"
+std::string Text(const Measure& measure) {
+  std::string text = Name(measure.quantity);
+  if (measure.at_least) text += " at least " + Number(*measure.at_least);
+  if (measure.at_most) text += " at most " + Number(*measure.at_most);
+  text += " " + measure.unit + ": ";
+  return text + (measure.actual ? "has " + Number(*measure.actual) + " " + measure.unit
+                                : std::string("not known"));
+}
+
+std::string Exact(const Measure& measure) {
+  return Exact(measure.quantity) + "\n" + Text(measure) + "\n" + Exact(measure.stated_by) + "\n" +
+         std::string(ToString(measure.verdict)) + "\n" + Number(measure.short_by) + "\n" +
+         (measure.short_by_percent ? Number(*measure.short_by_percent) : "");
+}
+
+std::string Exact(const Offer& offer) {
+  return Join({offer.class_iri, offer.for_what, offer.document, offer.file, offer.link,
+               offer.sha256, std::to_string(offer.size_bytes)},
+              "\n");
+}
+
 std::string Exact(const Finding& finding) {
+  const auto exact = [](const auto& each) { return "(" + Exact(each) + ")"; };
   return Exact(finding.what) + "\n" + std::string(ToString(finding.availability)) +
          (finding.asserted ? "\nasserted\n" : "\n") + finding.explanation + "\n" +
-         Listed(finding.provided_by, [](const Resource& each) { return Exact(each); }) + "\n" +
-         Listed(finding.dependencies, [](const Finding& each) { return "(" + Exact(each) + ")"; });
+         Listed(finding.provided_by, exact) + "\n" + Listed(finding.dependencies, exact) + "\n" +
+         Listed(finding.measures, exact) + "\n" + Listed(finding.downloads, exact);
+}
+
+Entries RequirementEntries(const Plan& plan) {
+  Entries entries;
+  for (const StepRequirement& requirement : plan.match.requirements) {
+    const Finding& finding = requirement.finding;
+    const auto name = [](const Resource& each) { return Name(each); };
+    const auto exact = [](const Resource& each) { return Exact(each); };
+    const auto measure = [](const Measure& each) { return Text(each); };
+    entries.push_back(
+        {finding.what.iri,
+         std::string(LocalName(finding.what.as_written)),
+         Exact(finding) + "\n" + Listed(requirement.steps, exact),
+         {std::string(ToString(finding.availability)), Listed(finding.measures, measure)},
+         "of " + Listed(requirement.steps, name) + " by " + Listed(finding.provided_by, exact)});
+  }
+  return entries;
+}
+
+Entries DownloadEntries(const Plan& plan) {
+  Entries entries;
+  for (const Download& download : plan.match.downloads) {
+    const Offer& offer = download.offer;
+    entries.push_back({download.what.iri + "\n" + offer.document + "\n" + offer.file,
+                       std::string(LocalName(download.what.as_written)),
+                       Exact(download.what) + "\n" + Exact(offer),
+                       {offer.document + " " + offer.file, "for " + offer.for_what},
+                       offer.link + " " + offer.sha256});
+  }
+  return entries;
 }
 
 // "SonyCamera by <…#camera1>; …", for everything below that some part provides.
@@ -391,6 +445,8 @@ void CompareWholes(const Plan& a, const Plan& b, Comparison& found) {
   found.Lists(Kind::kUnordered, "", TextEntries(groups_a), TextEntries(groups_b));
   found.Lists(Kind::kNeed, "", NeedEntries(a), NeedEntries(b));
   found.Lists(Kind::kAvailability, "", FindingEntries(a), FindingEntries(b));
+  found.Lists(Kind::kRequirement, "", RequirementEntries(a), RequirementEntries(b));
+  found.Lists(Kind::kDownload, "", DownloadEntries(a), DownloadEntries(b));
   found.Lists(Kind::kNote, "", TextEntries(a.notes), TextEntries(b.notes));
   found.Lists(Kind::kNote, "", TextEntries(a.match.warnings), TextEntries(b.match.warnings));
 }
@@ -399,11 +455,11 @@ void CompareWholes(const Plan& a, const Plan& b, Comparison& found) {
 
 std::string_view ToString(Difference::Kind kind) {
   static constexpr std::string_view kNames[] = {
-      "task",     "robot",    "environment", "setting",       "start",        "assumption",
-      "done",     "given",    "unordered",   "need",          "availability", "note",
-      "step",     "kind",     "skill",       "template",      "parameter",    "output",
-      "outcomes", "retries",  "time-limit",  "tree-fragment", "claims",       "precondition",
-      "effect",   "parallel", "members",     "transition"};
+      "task",      "robot",        "environment", "setting",  "start",        "assumption",
+      "done",      "given",        "unordered",   "need",     "availability", "requirement",
+      "download",  "note",         "step",        "kind",     "skill",        "template",
+      "parameter", "output",       "outcomes",    "retries",  "time-limit",   "tree-fragment",
+      "claims",    "precondition", "effect",      "parallel", "members",      "transition"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

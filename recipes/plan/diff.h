@@ -31,6 +31,8 @@ struct Difference {
     kUnordered,
     kNeed,          // a capability that a step needs
     kAvailability,  // of a capability
+    kRequirement,   // numbers that steps require of a part
+    kDownload,      // what is to be fetched first
     kNote,
     kStep,  // it is in one plan only
     kKind,
@@ -65,7 +67,7 @@ struct PlanDiff {
 
 // Steps are the same when their ids are, or when they are the only ones of the same recipe step.
 // Equal plans have no differences, and what can be told apart in JSON is one; the order of states
-// and transitions is none.
+// and transitions is none, nor are repairs, which a match that has a plan does not need.
 PlanDiff DiffPlans(const Plan& a, const Plan& b);
 
 // Follows docs/schemas/plan-diff.schema.json.

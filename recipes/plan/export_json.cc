@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "recipes/plan/export.h"
+#include "recipes/plan/export_words.h"
 
 namespace lares::recipes {
 
@@ -54,18 +55,6 @@ json ToJson(const Finding& finding) {
   return value;
 }
 
-const char* VerdictName(Measure::Verdict verdict) {
-  switch (verdict) {
-    case Measure::Verdict::kMet:
-      return "met";
-    case Measure::Verdict::kUnknown:
-      return "unknown";
-    case Measure::Verdict::kInsufficient:
-      return "insufficient";
-  }
-  return "unknown";
-}
-
 json ToJson(const Measure& measure) {
   json required = json::object();
   if (measure.at_least) required["at_least"] = *measure.at_least;
@@ -74,7 +63,7 @@ json ToJson(const Measure& measure) {
                 {"unit", measure.unit},
                 {"required", required},
                 {"actual", measure.actual ? json(*measure.actual) : json(nullptr)},
-                {"verdict", VerdictName(measure.verdict)},
+                {"verdict", ToString(measure.verdict)},
                 {"stated_by", ToJson(measure.stated_by)}};
   if (measure.verdict == Measure::Verdict::kInsufficient) value["short_by"] = measure.short_by;
   if (measure.short_by_percent) value["short_by_percent"] = *measure.short_by_percent;

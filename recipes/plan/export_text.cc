@@ -161,6 +161,18 @@ std::string AttemptsText(const State& state) {
   return text;
 }
 
+std::string_view ToString(Measure::Verdict verdict) {
+  switch (verdict) {
+    case Measure::Verdict::kMet:
+      return "met";
+    case Measure::Verdict::kUnknown:
+      return "unknown";
+    case Measure::Verdict::kInsufficient:
+      return "insufficient";
+  }
+  return "unknown";
+}
+
 std::string ToText(const Plan& plan) {
   std::ostringstream out;
   out << "Plan: " << FullName(plan.task) << ", for " << plan.robot.label;

@@ -10,4 +10,6 @@ namespace lares::recipes {
 // "up to 3 times, 60 s each"; empty for one attempt without a limit.
 std::string AttemptsText(const State& state);
 
+std::string_view ToString(Measure::Verdict verdict);  // "met", "unknown", "insufficient"
+
 }  // namespace lares::recipes

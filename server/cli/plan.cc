@@ -127,9 +127,9 @@ void AddPlan(CLI::App& app, Options& options) {
       "  lares plan FindBottle --robot PR2 --as dot | dot -Tsvg > plan.svg\n"
       "  lares plan FindBottle --robot pioneer --environment hospital-room --package mission");
   auto plan = std::make_shared<PlanOptions>();
-  command->add_option("TASK", plan->task, "recipe's id, or the task's IRI, label or local name")
-      ->required();
-  command->add_option("--robot", plan->robot, "id, IRI or label")->required();
+  // Both are needed, unless it is `lares plan diff`: CLI11 would ask for them there too.
+  command->add_option("TASK", plan->task, "recipe's id, or the task's IRI, label or local name");
+  command->add_option("--robot", plan->robot, "id, IRI or label");
   command->add_option("--environment", plan->environment, "where it is to be done");
   command->add_option("--version", plan->version, "of the environment (default: the newest)")
       ->check(CLI::PositiveNumber);
@@ -161,6 +161,9 @@ void AddPlan(CLI::App& app, Options& options) {
       ->excludes("--out")
       ->excludes("--as");
   command->callback([=, &options] {
+    if (command->got_subcommand("diff")) return;
+    if (plan->task.empty()) throw CLI::RequiredError("TASK");
+    if (plan->robot.empty()) throw CLI::RequiredError("--robot");
     TakeParameters(command->remaining(), *plan);
     MakePlan(*plan, options);
   });

@@ -113,12 +113,7 @@ void AddPlanDiff(CLI::App& plan, Options& options) {
   command->add_flag("--strict", diff->strict, "do not take a capability on the robot maker's word");
   command->add_option("--server", options.server, "address of the server")->group("General");
   command->add_flag("--json", options.json, "print the server's JSON")->group("General");
-  // At once, and then nothing more is parsed: `lares plan` itself would ask for its task.
-  command->immediate_callback();
-  command->callback([=, &options] {
-    Compare(*diff, options);
-    throw CLI::Success();
-  });
+  command->callback([=, &options] { Compare(*diff, options); });
 }
 
 }  // namespace lares::cli

@@ -37,6 +37,39 @@ std::string StemOf(const std::string& file_name) {
   return std::filesystem::path(file_name).filename().stem().string();
 }
 
+// Whether what stands before `at` on its line is no more than a prefix: a Turtle document begins to
+// describe something there.
+bool BeginsLine(std::string_view bytes, std::size_t at) {
+  const std::size_t line = at == 0 ? 0 : bytes.rfind('\n', at - 1) + 1;  // npos + 1 is 0
+  const std::string_view before = bytes.substr(line, at - line);
+  return before.ends_with(':') && before.find_first_of(" \t<\"") == std::string_view::npos;
+}
+
+// The first place of `name`, or the first at which it is described.
+std::size_t FindDescribed(std::string_view bytes, const std::string& name) {
+  const std::size_t first = bytes.find(name);
+  for (std::size_t at = first; at != std::string_view::npos; at = bytes.find(name, at + 1)) {
+    if (BeginsLine(bytes, at)) return at;
+  }
+  return first;
+}
+
+// Where a document says an IRI: whole, with a usual prefix, or by its local name.
+std::size_t FindNamed(std::string_view bytes, const std::string& iri) {
+  std::vector<std::string> forms{iri};
+  const std::string local(LocalName(iri));
+  for (const auto& [prefix, space] : {std::pair("owl:", rdf::kOwl), std::pair("rdfs:", rdf::kRdfs),
+                                      std::pair("rdf:", rdf::kRdf)}) {
+    if (iri.starts_with(space)) forms.push_back(prefix + local);
+  }
+  forms.push_back(local);
+  for (const std::string& form : forms) {
+    const std::size_t found = form.empty() ? std::string::npos : FindDescribed(bytes, form);
+    if (found != std::string::npos) return found;
+  }
+  return std::string::npos;
+}
+
 // Where the text first says one of the names in quotes or angle brackets of `sentence`: the place
 // of a fault that was found only after reading.
 Place PlaceOf(const std::string& sentence, std::string_view bytes, const std::string& source) {
@@ -45,8 +78,7 @@ Place PlaceOf(const std::string& sentence, std::string_view bytes, const std::st
     if (close == '\0') continue;
     const std::size_t end = sentence.find(close, at + 1);
     if (end == std::string::npos) break;
-    const std::string name(LocalName(sentence.substr(at + 1, end - at - 1)));
-    const std::size_t found = name.empty() ? std::string::npos : bytes.find(name);
+    const std::size_t found = FindNamed(bytes, sentence.substr(at + 1, end - at - 1));
     at = end;
     if (found == std::string_view::npos) continue;
     const std::string_view before = bytes.substr(0, found);

@@ -3,7 +3,11 @@
 . "$(dirname "$0")/session.sh"
 start_server
 cd "$session_root" || exit 1
-pack() { lares plan "$1" --object Cup --robot "$2" --environment "$3" --package "$work/$4"; }
+pack() {
+  local object=()
+  [ "$1" = object-search ] && object=(--object Cup)
+  lares plan "$1" "${object[@]}" --robot "$2" --environment "$3" --package "$work/$4"
+}
 
 expect 0 lares robot put robots/models/scout.ttl
 expect 0 lares robot put robots/models/helper.ttl

@@ -149,15 +149,17 @@ TEST(PddlExport, HasAPlanExactlyWhenTheGraphHasAWayAndItIsOne) {
 }
 
 TEST(PddlExport, ThePlansOfTheLibraryCanSucceed) {
-  for (const auto& [recipe, task, robot] : {std::tuple("object-search", "SearchForCup", "scout"),
+  for (const auto& [recipe, task, robot] : {std::tuple("object-search", "ObjectSearch", "scout"),
                                             std::tuple("fetch-drink", "FetchDrink", "helper")}) {
     World world = Catalogue();
     world.PutFile("robot", Source(std::string("robots/models/") + robot + ".ttl"))
         .PutFile("recipe", Source(std::string("recipes/library/") + recipe + ".ttl"));
+    recipes::PlanOptions options;
+    if (std::string(task) == "ObjectSearch") options.set["object"] = "Cup";
     const auto result = recipes::MakePlan(
         Engines(), world.view(),
         std::string("https://w3id.org/lares/recipes/") + recipe + "#" + task,
-        std::string("https://w3id.org/lares/robots/") + robot + "#" + robot + "1");
+        std::string("https://w3id.org/lares/robots/") + robot + "#" + robot + "1", options);
     ASSERT_TRUE(result.plan) << task;
     const auto actions = PlanOf(*result.plan);
     ASSERT_TRUE(actions) << task;

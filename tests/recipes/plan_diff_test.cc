@@ -95,7 +95,14 @@ TEST_F(PlanDiffs, AnythingThatIsChangedIsOne) {
       },
       [](Plan& plan) { plan.match.needs.pop_back(); },
       [](Plan& plan) { plan.match.capabilities[0].explanation += "x"; },
-      [](Plan& plan) { plan.match.capabilities[0].dependencies.clear(); }};
+      [](Plan& plan) { plan.match.capabilities[0].dependencies.clear(); },
+      [](Plan& plan) {
+        plan.match.downloads.push_back({{"urn:x", "x", "urn:x"}, {}});
+      },
+      [](Plan& plan) {
+        plan.match.requirements.push_back({{}, plan.match.capabilities[0]});
+      },
+      [](Plan& plan) { plan.match.capabilities[0].dependencies[0].measures.emplace_back(); }};
   for (std::size_t change = 0; change < changes.size(); ++change) {
     const Plan plan = RandomFullPlan(random, 6);
     Plan other = plan;

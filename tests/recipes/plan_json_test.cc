@@ -29,6 +29,18 @@ TEST(PlanJson, WhatWasWrittenIsReadBack) {
   }
 }
 
+TEST(PlanJson, WhatOlderPlansDoNotHaveMayBeMissingAndAPackageIsNotThePlans) {
+  std::mt19937 random(24);
+  json written = recipes::ToJson(RandomPlan(random, 4));
+  for (const char* name : {"requirements", "downloads", "repairs", "repair_is_smallest"}) {
+    written["match"].erase(name);
+  }
+  written["package"] = {{"models", json::array()}};
+  const recipes::Plan read = recipes::PlanFromJson(written);
+  EXPECT_TRUE(read.match.repair_is_smallest);
+  EXPECT_FALSE(recipes::ToJson(read).contains("package"));
+}
+
 std::string Refusal(const json& value) {
   try {
     recipes::PlanFromJson(value);

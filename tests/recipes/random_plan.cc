@@ -155,6 +155,39 @@ recipes::MatchReport RandomMatch(std::mt19937& random, const Plan& plan) {
                                                 : recipes::Availability::kAvailable;
   capability.dependencies.push_back(component);
   capability.explanation = "the robot has it";
+  recipes::Measure measure;
+  measure.quantity = Thing("max range");
+  measure.unit = "m";
+  measure.at_least = 0.1 * Below(random, 50);
+  if (Below(random, 2) == 0) measure.actual = 5.5;
+  measure.verdict =
+      measure.actual ? recipes::Measure::Verdict::kMet : recipes::Measure::Verdict::kUnknown;
+  measure.stated_by = Thing("Looking");
+  const recipes::Offer offer{"https://example.org/thing#Model",
+                             "cup",
+                             "object-model:cup",
+                             "model.ply",
+                             "/v1/object-models/cup",
+                             std::string(64, 'a'),
+                             static_cast<std::uint64_t>(1000 + Below(random, 3))};
+  if (Below(random, 2) == 0) {
+    component.measures.push_back(measure);
+    match.requirements.push_back({{Thing("Step")}, component});
+  }
+  if (Below(random, 2) == 0) {
+    component.downloads.push_back(offer);
+    component.availability = recipes::Availability::kDownloadable;
+    capability.dependencies.push_back(component);
+    match.downloads.push_back({Thing("Cup"), offer});
+  }
+  if (Below(random, 4) == 0) {
+    match.repairs.push_back({{{Thing("Arm"), {measure}, 2.5, "an arm"}}, 2.5});
+    match.repairs.back().add[0].bounds[0] = {};
+    match.repairs.back().add[0].bounds[0].quantity = Thing("payload");
+    match.repairs.back().add[0].bounds[0].unit = "kg";
+    match.repairs.back().add[0].bounds[0].at_most = 2;
+    match.repair_is_smallest = false;
+  }
   match.capabilities.push_back(capability);
   if (capability.asserted) match.warnings.emplace_back("on the maker's word");
   return match;

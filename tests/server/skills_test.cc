@@ -40,8 +40,8 @@ class SkillsTest : public KnowledgeFixture {
   }
   void PutRobot() {
     Put(DocumentKind::kRobot, "r",
-        Turtle(":r a lares:Robot ; lares:subComponent :b , :c . :b a lares:MobileBase . "
-               ":c a lares:Camera , lares:ObjectRecognitionComponent .\n"));
+        Turtle(":r a lares:Robot ; lares:subComponent :b , :c , :d . :b a lares:MobileBase . "
+               ":c a lares:Camera . :d a lares:ObjectRecognitionComponent .\n"));
   }
   server::PlanAnswer Plan(const std::string& task,
                           const std::map<std::string, std::string>& set = {}) {

@@ -164,7 +164,17 @@ TEST_F(ApiTest, OntologyModulesAliasesAndClassesAreListed) {
   const auto missing = Get("/v1/ontology/classes/Nonsense");
   EXPECT_EQ(missing.status, 404);
   EXPECT_EQ(Json(missing)["candidates"][0], "Nonce");
-  EXPECT_EQ(Json(Get("/v1/skill-templates"))["count"], 0);
+}
+
+TEST_F(ApiTest, SkillTemplatesAreListedAndTheirDocumentsKept) {
+  const auto list = Json(Get("/v1/skill-templates"));
+  EXPECT_EQ(list["items"][0]["skill"], "Wave");
+  EXPECT_TRUE(list["items"][0]["document"].is_null());
+  EXPECT_EQ(Send("PUT", "/v1/skill-templates/mine", "text/turtle", kTurtle).status, 201);
+  EXPECT_EQ(Get("/v1/skill-templates/mine").body, kTurtle);
+  EXPECT_EQ(Json(Get("/v1/skill-templates/mine/versions"))["count"], 1);
+  EXPECT_EQ(Send("DELETE", "/v1/skill-templates/mine", "", "").status, 204);
+  EXPECT_EQ(Get("/v1/skill-templates/mine").status, 404);
 }
 
 TEST_F(ApiTest, AnObjectModelKeepsItsFiles) {

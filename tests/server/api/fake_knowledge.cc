@@ -178,6 +178,13 @@ std::shared_ptr<const RobotGrid> Knowledge::MakeRobotGrid(const std::string& rob
   return grid;
 }
 
+std::vector<recipes::SkillTemplate> Knowledge::SkillTemplates() {
+  recipes::SkillTemplate wave;
+  wave.iri = {"urn:WaveTemplate", "wave", ""};
+  wave.skill = "Wave";
+  return {wave};
+}
+
 recipes::CapabilityReport Knowledge::Capabilities(const std::string& robot, bool strict) {
   if (robot == "nobody") throw Error(Code::kNotFound, "there is no robot 'nobody'");
   recipes::CapabilityReport report;

@@ -114,7 +114,7 @@ TEST_F(PlansTest, ARefusalNamesTheRobotsThatNearlyCan) {
 }
 
 TEST_F(PlansTest, RobotsAreRankedForARecipe) {
-  const auto answer = Json(Send("GET", "/v1/recipes/FindBottle/robots?environment=flat"));
+  const auto answer = Json(Get("/v1/recipes/FindBottle/robots?environment=flat"));
   EXPECT_EQ(answer["task"]["label"], "FindBottle");
   ASSERT_EQ(answer["robots"].size(), 3U);
   EXPECT_EQ(answer["robots"][0]["feasible"], true);
@@ -122,9 +122,9 @@ TEST_F(PlansTest, RobotsAreRankedForARecipe) {
   EXPECT_EQ(answer["robots"][1]["add"][0]["bounds"][0]["at_least"], 0.5);
   EXPECT_TRUE(answer["robots"][2]["cost"].is_null());
   EXPECT_EQ(answer["robots"][2]["repair_is_smallest"], true);
-  const auto strict = Json(Send("GET", "/v1/recipes/FindBottle/robots?strict=true"));
+  const auto strict = Json(Get("/v1/recipes/FindBottle/robots?strict=true"));
   EXPECT_EQ(strict["robots"][2]["repair_is_smallest"], false);
-  EXPECT_EQ(Send("GET", "/v1/recipes/FindBottle/robots?strict=perhaps").status, 422);
+  EXPECT_EQ(Get("/v1/recipes/FindBottle/robots?strict=perhaps").status, 422);
 }
 
 TEST_F(PlansTest, ChoicesAndUnusableRecipesAreProblemsOfTheirOwn) {
