@@ -55,10 +55,10 @@ class SkillsTest : public KnowledgeFixture {
 
 TEST_F(SkillsTest, AStoredTemplateChangesTheNextPlanUntilItIsRemoved) {
   PutRobot();
-  Put(DocumentKind::kRecipe, "wave", Turtle(Step("Wave", "a", "lares:FollowingAPerson")));
+  Put(DocumentKind::kRecipe, "wave", Turtle(Step("Wave", "a", "lares:DownloadingData")));
   EXPECT_THAT(Plan("Wave").result.problems, ElementsAre(HasSubstr("no skill template is known")));
   const auto answer = Put(DocumentKind::kSkillTemplate, "follow",
-                          Turtle(Template("Follow", "lares:FollowingAPerson")));
+                          Turtle(Template("Follow", "lares:DownloadingData")));
   ASSERT_EQ(answer.skill_templates.size(), 1u);
   const auto planned = Plan("Wave");
   ASSERT_TRUE(planned.result.plan) << ::testing::PrintToString(planned.result.problems);
@@ -68,7 +68,7 @@ TEST_F(SkillsTest, AStoredTemplateChangesTheNextPlanUntilItIsRemoved) {
 }
 
 TEST_F(SkillsTest, AStoredTemplateIsThereAfterARestart) {
-  Put(DocumentKind::kSkillTemplate, "follow", Turtle(Template("Follow", "lares:FollowingAPerson")));
+  Put(DocumentKind::kSkillTemplate, "follow", Turtle(Template("Follow", "lares:DownloadingData")));
   Open();
   const auto templates = knowledge_->SkillTemplates();
   EXPECT_TRUE(std::any_of(templates.begin(), templates.end(),
