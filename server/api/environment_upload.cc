@@ -6,6 +6,7 @@
 #include "mapping/environment/layer_format.h"
 #include "server/api/answers.h"
 #include "server/api/context.h"
+#include "server/api/environments.h"
 #include "server/api/quarantine.h"
 #include "server/http/etag.h"
 #include "server/http/multipart.h"
@@ -121,6 +122,16 @@ bool IsEmpty(const store::NewVersion& version) {
          version.label.empty() && version.author.empty() && version.note.empty();
 }
 
+http::Response KeptAside(const server::Knowledge::VersionAnswer& answer) {
+  Json json;
+  json["document"] = ToJson(answer.aside);
+  json["quarantined"] = answer.quarantined;
+  AddRemarks(answer.remarks, answer.warnings, json);
+  http::Response response = JsonAnswer(json, 202);
+  response.headers.Set("Location", "/v1/quarantine/" + http::PercentEncode(answer.aside.id));
+  return response;
+}
+
 http::Response PutVersionOf(const http::Request& request, Context& context) {
   store::NewVersion version;
   version.environment = request.Param("id");
@@ -139,22 +150,28 @@ http::Response PutVersionOf(const http::Request& request, Context& context) {
   if (!version.type_iri.empty()) {
     version.type_iri = context.knowledge.ResolveClass(version.type_iri).iri;
   }
-  server::Knowledge::VersionAnswer answer = PutVersion(context, version);
+  server::Knowledge::VersionAnswer answer =
+      PutVersion(context, version, ReadVersionRights(request));
   for (std::string& warning : environment::WarnOnExtents(form.facts())) {
     answer.warnings.push_back(std::move(warning));
   }
+  return answer.quarantined.empty() ? VersionCreated(answer) : KeptAside(answer);
+}
+
+}  // namespace
+
+http::Response VersionCreated(const server::Knowledge::VersionAnswer& answer) {
   Json json;
   json["version"] = ToJson(answer.version);
   AddRemarks(answer.remarks, answer.warnings, json);
   json["objects"] = answer.objects.size();
   http::Response response = JsonAnswer(json, 201);
   response.headers.Set("ETag", answer.version.etag());
-  response.headers.Set("Location", "/v1/environments/" + http::PercentEncode(version.environment) +
+  response.headers.Set("Location", "/v1/environments/" +
+                                       http::PercentEncode(answer.version.environment) +
                                        "/versions/" + std::to_string(answer.version.number));
   return response;
 }
-
-}  // namespace
 
 void AddEnvironmentUploadRoute(http::Router& router, Context& context) {
   router.Add({"POST",

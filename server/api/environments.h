@@ -4,6 +4,7 @@
 #include <string>
 
 #include "server/api/context.h"
+#include "server/http/message.h"
 
 namespace lares::api {
 
@@ -11,5 +12,8 @@ namespace lares::api {
 // names).
 store::EnvironmentVersion FindVersion(const store::Store& store, const std::string& environment,
                                       const std::string& number);
+
+// The answer to a version that was taken, with its ETag and Location.
+http::Response VersionCreated(const server::Knowledge::VersionAnswer& answer);
 
 }  // namespace lares::api

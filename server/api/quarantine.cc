@@ -4,7 +4,9 @@
 
 #include "server/api/answers.h"
 #include "server/api/documents.h"
+#include "server/api/environments.h"
 #include "server/http/problem.h"
+#include "server/knowledge/quarantine.h"
 #include "server/knowledge/refusal.h"
 
 namespace lares::api {
@@ -33,8 +35,11 @@ auto Translated(const Work& work) {
 
 http::Response Release(const http::Request& request, Context& context) {
   const bool editor = QueryFlag(request, "editor");
-  return JsonAnswer(
-      ToJson(Translated([&] { return context.knowledge.Release(request.Param("id"), editor); })));
+  const std::string& id = request.Param("id");
+  if (id.starts_with(server::QuarantineIdOfEnvironment(""))) {
+    return VersionCreated(Translated([&] { return context.knowledge.ReleaseVersion(id, editor); }));
+  }
+  return JsonAnswer(ToJson(Translated([&] { return context.knowledge.Release(id, editor); })));
 }
 
 }  // namespace
@@ -44,12 +49,17 @@ void ReadRights(const http::Request& request, server::PutRequest& put) {
   put.quarantine = QueryFlag(request, "quarantine");
 }
 
+server::Knowledge::VersionRights ReadVersionRights(const http::Request& request) {
+  return {QueryFlag(request, "editor"), QueryFlag(request, "quarantine")};
+}
+
 server::PutAnswer Put(Context& context, const server::PutRequest& put) {
   return Translated([&] { return context.knowledge.Put(put); });
 }
 
-server::Knowledge::VersionAnswer PutVersion(Context& context, const store::NewVersion& version) {
-  return Translated([&] { return context.knowledge.PutVersion(version); });
+server::Knowledge::VersionAnswer PutVersion(Context& context, const store::NewVersion& version,
+                                            const server::Knowledge::VersionRights& rights) {
+  return Translated([&] { return context.knowledge.PutVersion(version, rights); });
 }
 
 void AddQuarantineRoutes(http::Router& router, Context& context) {

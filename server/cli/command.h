@@ -29,6 +29,7 @@ void AddOntologyConvert(CLI::App& ontology);
 void AddOntologyCheck(CLI::App& ontology, const Options& options);
 void AddEnvironment(CLI::App& app, const Options& options);
 void AddEnvironmentPut(CLI::App& environment, const Options& options);
+void AddEnvironmentRelease(CLI::App& environment, const Options& options);
 void AddEnvironmentGet(CLI::App& environment, const Options& options);
 void AddObjectModel(CLI::App& app, const Options& options);
 void AddSkill(CLI::App& app, const Options& options);

@@ -61,6 +61,7 @@ void AddEnvironment(CLI::App& app, const Options& options) {
   environment->require_subcommand(1);
   AddEnvironmentPut(*environment, options);
   AddEnvironmentGet(*environment, options);
+  AddEnvironmentRelease(*environment, options);
   auto* list = AddCommand(*environment, "list", "List environments", "  lares environment list");
   list->callback([&options] { ListEnvironments(options); });
   auto* log = AddCommand(*environment, "log", "All versions, newest first",

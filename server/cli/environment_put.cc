@@ -26,6 +26,8 @@ struct PutOptions {
   std::string if_match;
   std::vector<std::string> layers;  // NAME=FILE
   std::vector<std::string> removed;
+  bool editor = false;
+  bool quarantine = false;
 };
 
 // A grid's YAML is sent together with its image, as one archive in `temporary`.
@@ -65,11 +67,35 @@ std::vector<http::FormPart> FormOf(const PutOptions& put, const fs::path& tempor
   return parts;
 }
 
+std::string VersionSummary(const std::string& id, const Json& answer) {
+  const Json& version = answer.at("version");
+  std::string text = "environment " + id + ", version " +
+                     std::to_string(version.value("number", 0)) + " (ETag " +
+                     TextOf(version, "etag") + ")\n";
+  for (const Json& layer : version.at("layers")) {
+    text += "  " + TextOf(layer, "name") + "  " +
+            FormatBytes(layer.value("size", std::uint64_t{0})) + "\n";
+  }
+  const auto objects = answer.value("objects", std::size_t{0});
+  if (objects > 0) text += "  " + Plural(objects, "object") + " on the map\n";
+  text += FormatRemarks(answer.at("repairs"), "  repaired:");
+  text += FormatRemarks(answer.at("warnings"), "  warnings:");
+  return text;
+}
+
+std::string AsideSummary(const std::string& id, const Json& answer) {
+  return "semantic layer kept aside as " + TextOf(answer.at("document"), "id") + ", version " +
+         std::to_string(answer.at("document").value("version", 0)) + "; environment " + id +
+         " is as it was:\n  " + TextOf(answer, "quarantined") + "\n";
+}
+
 void Put(const PutOptions& put, const Options& options) {
   const TemporaryFolder temporary(fs::temp_directory_path(), "lares-put-");
   http::ClientRequest request;
   request.method = "POST";
   request.path = PathOf("/v1/environments", {put.id, "versions"});
+  if (put.editor) request.query.emplace("editor", "true");
+  if (put.quarantine) request.query.emplace("quarantine", "true");
   request.body = http::EncodeForm(FormOf(put, temporary.path()));
   if (put.if_match == "none") request.headers.Set("If-None-Match", "*");
   if (!put.if_match.empty() && put.if_match != "none") {
@@ -84,19 +110,19 @@ void Put(const PutOptions& put, const Options& options) {
     answer = Json::parse(remote.Send(request, transfer).body);
   }
   if (options.json) return PrintJson(answer);
-  const Json& version = answer.at("version");
-  std::string text = "environment " + put.id + ", version " +
-                     std::to_string(version.value("number", 0)) + " (ETag " +
-                     TextOf(version, "etag") + ")\n";
-  for (const Json& layer : version.at("layers")) {
-    text += "  " + TextOf(layer, "name") + "  " +
-            FormatBytes(layer.value("size", std::uint64_t{0})) + "\n";
-  }
-  const auto objects = answer.value("objects", std::size_t{0});
-  if (objects > 0) text += "  " + Plural(objects, "object") + " on the map\n";
-  text += FormatRemarks(answer.at("repairs"), "  repaired:");
-  text += FormatRemarks(answer.at("warnings"), "  warnings:");
-  Print(text);
+  Print(answer.contains("quarantined") ? AsideSummary(put.id, answer)
+                                       : VersionSummary(put.id, answer));
+}
+
+void Release(const std::string& id, bool editor, const Options& options) {
+  http::ClientRequest request;
+  request.method = "POST";
+  request.path = PathOf("/v1/quarantine", {"environment." + id, "release"});
+  if (editor) request.query.emplace("editor", "true");
+  Remote remote(options.server);
+  const Json answer = Json::parse(remote.Send(request).body);
+  if (options.json) return PrintJson(answer);
+  Print(VersionSummary(id, answer));
 }
 
 }  // namespace
@@ -122,7 +148,24 @@ void AddEnvironmentPut(CLI::App& environment, const Options& options) {
   command->add_option("--if-match", put->if_match,
                       "only if the newest version still has this ETag; 'none': only if the "
                       "environment is new");
+  command->add_flag("--editor", put->editor, "you may say new things about terms of others");
+  command->add_flag("--quarantine", put->quarantine,
+                    "keep aside a semantic layer that contradicts what is known, instead of "
+                    "refusing it; it must be the only layer");
   command->callback([=, &options] { Put(*put, options); });
+}
+
+void AddEnvironmentRelease(CLI::App& environment, const Options& options) {
+  auto* command = AddCommand(
+      environment, "release",
+      "Take the semantic layer that was kept aside as a new version (see: lares quarantine)",
+      "  lares environment release hospital-room\n"
+      "  lares environment release --editor hospital-room");
+  auto id = std::make_shared<std::string>();
+  auto editor = std::make_shared<bool>(false);
+  command->add_option("ID", *id)->required();
+  command->add_flag("--editor", *editor, "you may say new things about terms of others");
+  command->callback([=, &options] { Release(*id, *editor, options); });
 }
 
 }  // namespace lares::cli

@@ -42,7 +42,7 @@ void AddQuarantine(CLI::App& app, const Options& options) {
                          "  lares quarantine get ontology.my-furniture");
   auto id = std::make_shared<std::string>();
   auto out = std::make_shared<std::string>();
-  get->add_option("ID", *id, "kind.id, as in ontology.my-furniture")->required();
+  get->add_option("ID", *id, "kind.id, as in ontology.my-furniture or environment.lab")->required();
   get->add_option("--out", *out, "file to write instead of standard output");
   get->callback([=, &options] { GetDocument(kAside, *id, 0, *out, options); });
 

@@ -353,7 +353,9 @@ PutAnswer Knowledge::Put(const PutRequest& original) {
   incoming.answer.statements = incoming.graph.triples.size();
 
   if (IsOfTheCatalogue(request.kind)) {
-    return PutOntology(request, incoming.graph, incoming.content);
+    PutAnswer answer = PutOntology(request, incoming.graph, incoming.content);
+    if (request.kind == DocumentKind::kSkillTemplate) state_->overlays.Wait();
+    return answer;
   }
 
   const auto base = state_->catalogue();
@@ -463,6 +465,7 @@ void Knowledge::Remove(DocumentKind kind, const std::string& id) {
   const auto before = state_->catalogue();
   state_->Publish(MakeCatalogue(state_->own, stored, before->generation + 1, before.get()));
   state_->changes.Notify();
+  if (kind == DocumentKind::kSkillTemplate) state_->overlays.Wait();
 }
 
 PutAnswer Knowledge::Release(const std::string& quarantine_id, bool editor) {

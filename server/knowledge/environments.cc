@@ -6,6 +6,8 @@
 #include "ontology/rdf/writer.h"
 #include "server/knowledge/derived.h"
 #include "server/knowledge/knowledge.h"
+#include "server/knowledge/quarantine.h"
+#include "server/knowledge/refusal.h"
 #include "server/knowledge/state.h"
 
 namespace lares::server {
@@ -42,9 +44,28 @@ bool DescribesPlace(const rdf::View& view, const CatalogueState& catalogue) {
   return false;
 }
 
+// Nothing but the semantic layer changes in it, and what is said of the version.
+bool IsSemanticOnly(const store::NewVersion& version) {
+  return version.layers.size() == 1 && version.removed_layers.empty();
+}
+
+[[noreturn]] void RefuseVersion(const Contradiction& found, const std::string& source,
+                                bool wants_quarantine) {
+  Refusal refusal = ToRefusal(found, source);
+  if (wants_quarantine) {
+    refusal.WithHint(
+        "only a semantic layer can be kept aside: put the other layers as a version of their own, "
+        "then the semantic layer with --quarantine");
+  } else {
+    refusal.WithHint("mend it, or send the semantic layer with --quarantine to keep it aside");
+  }
+  throw refusal;
+}
+
 }  // namespace
 
-Knowledge::VersionAnswer Knowledge::PutVersion(const store::NewVersion& original) {
+Knowledge::VersionAnswer Knowledge::PutVersion(const store::NewVersion& original,
+                                               const VersionRights& rights) {
   store::NewVersion version = original;
   VersionAnswer answer;
   if (!version.type_iri.empty())
@@ -67,12 +88,17 @@ Knowledge::VersionAnswer Knowledge::PutVersion(const store::NewVersion& original
                   {layer->file_name, 0, 0});
     }
     const auto base = state_->catalogue();
-    state_->CheckAuthority(*base, graph,
-                           {state_->store.ReadBlob(layer->blob.sha256), layer->file_name});
+    if (!rights.editor) {
+      state_->CheckAuthority(*base, graph,
+                             {state_->store.ReadBlob(layer->blob.sha256), layer->file_name});
+    }
     if (const auto found = state_->Convict(*base, view, graph)) {
-      Refusal refusal = ToRefusal(*found, layer->file_name);
-      refusal.WithHint("mend it: a version of an environment cannot be kept aside");
-      throw refusal;
+      if (!rights.quarantine || !IsSemanticOnly(version)) {
+        RefuseVersion(*found, layer->file_name, rights.quarantine);
+      }
+      answer.quarantined = found->message;
+      answer.aside = KeepAside(state_->store, version, *layer, rights.editor, found->message);
+      return answer;
     }
     answer.warnings = DescribeClashes(view);
     for (const semantic::MapObject& object : answer.objects) {
@@ -82,12 +108,21 @@ Knowledge::VersionAnswer Knowledge::PutVersion(const store::NewVersion& original
     for (store::LayerInfo& stored : version.layers) {
       if (stored.name == "semantic") {
         stored.facts["objects"] = std::to_string(answer.objects.size());
+        if (rights.editor) stored.facts["editor"] = "true";
       }
     }
   }
   answer.version = state_->store.PutVersion(version);
+  if (SemanticLayer(version.layers) != nullptr) {
+    ForgetKeptAside(state_->store, QuarantineIdOfEnvironment(version.environment));
+  }
   state_->changes.Notify();
   return answer;
+}
+
+Knowledge::VersionAnswer Knowledge::ReleaseVersion(const std::string& quarantine_id, bool editor) {
+  const VersionAside aside = VersionKeptAside(state_->store, quarantine_id);
+  return PutVersion(aside.version, {aside.editor || editor, false});
 }
 
 std::string Knowledge::RenderSemantic(const std::string& environment, int version,

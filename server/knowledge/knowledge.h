@@ -170,6 +170,7 @@ class Knowledge {
 
   // Validates whole, stores, and only then makes it visible. Throws a Refusal (refusal.h), and
   // changes nothing, for axioms about terms of others and for contradictions.
+  // Returns once the next plan is made with what was put of skill templates.
   PutAnswer Put(const PutRequest& request);
   void Remove(store::DocumentKind kind, const std::string& id);
   // Puts again what is kept aside under this id of kQuarantined; `editor` adds to the rights that
@@ -186,8 +187,22 @@ class Knowledge {
     std::vector<rdf::Remark> remarks;
     std::vector<std::string> warnings;
     std::vector<semantic::MapObject> objects;
+    // Why the semantic layer is kept aside, and as what; the environment is then as it was, and
+    // `version` is empty. Empty when the version was taken.
+    std::string quarantined;
+    store::DocumentInfo aside;
   };
-  VersionAnswer PutVersion(const store::NewVersion& version);
+  struct VersionRights {
+    bool editor = false;  // as in PutRequest; a fact of the semantic layer from then on
+    // Keep the semantic layer aside, instead of refusing it, when it contradicts what is known. A
+    // version with other layers is refused all the same: they would get lost.
+    bool quarantine = false;
+  };
+  VersionAnswer PutVersion(const store::NewVersion& version, const VersionRights& rights);
+  VersionAnswer PutVersion(const store::NewVersion& version) { return PutVersion(version, {}); }
+  // As Release, for a semantic layer: it becomes that of a new version, with the other layers of
+  // the newest one.
+  VersionAnswer ReleaseVersion(const std::string& quarantine_id, bool editor);
   // The semantic layer's document in another format.
   std::string RenderSemantic(const std::string& environment, int version, rdf::Format format);
   std::vector<semantic::MapObject> MapObjects(const std::string& environment, int version);

@@ -26,4 +26,31 @@ expect 0 lares ontology release tom
 expect 0 lares quarantine list
 has "nothing is kept aside"
 expect 4 lares ontology release tom
+
+# The semantic layer of an environment, likewise; the environment stays as it was meanwhile.
+expect 0 lares ontology remove tom
+expect 0 lares ontology put "$work/zoo.ttl"
+echo "$prefixes :m a lares:SemanticEnvironmentMap ." >"$work/flat.ttl"
+echo "$prefixes :m a lares:SemanticEnvironmentMap . :kim a :Cat , :Dog ." >"$work/kim.ttl"
+echo "$prefixes :m a lares:SemanticEnvironmentMap . lares:Cup rdfs:subClassOf :Toy ." \
+  >"$work/toys.ttl"
+echo "0 0 0 0 0 0 0 1" >"$work/path.txt"
+expect 0 lares environment put flat --layer semantic="$work/flat.ttl"
+expect 3 lares environment put flat --layer semantic="$work/kim.ttl"
+has "which exclude each other" "--quarantine"
+expect 3 lares environment put flat --quarantine --layer semantic="$work/kim.ttl" \
+  --layer trajectory="$work/path.txt"
+has "only a semantic layer can be kept aside"
+expect 0 lares environment put flat --quarantine --layer semantic="$work/kim.ttl"
+has "kept aside as environment.flat" "environment flat is as it was"
+expect 0 lares quarantine list
+has "environment flat" "which exclude each other"
+expect 3 lares environment release flat
+expect 0 lares ontology remove zoo
+expect 0 lares environment release flat
+has "environment flat, version 2"
+expect 4 lares environment release flat
+expect 3 lares environment put flat --layer semantic="$work/toys.ttl"
+has "Cup subClassOf Toy" "--editor"
+expect 0 lares environment put flat --editor --layer semantic="$work/toys.ttl"
 stop_server

@@ -107,8 +107,16 @@ PutAnswer Knowledge::Release(const std::string& quarantine_id, bool editor) {
   return Put(request);
 }
 
-Knowledge::VersionAnswer Knowledge::PutVersion(const store::NewVersion& version) {
-  return {state_->store.PutVersion(version), {}, {"a warning"}, {}};
+Knowledge::VersionAnswer Knowledge::PutVersion(const store::NewVersion& version,
+                                               const VersionRights&) {
+  VersionAnswer answer;
+  answer.version = state_->store.PutVersion(version);
+  answer.warnings = {"a warning"};
+  return answer;
+}
+
+Knowledge::VersionAnswer Knowledge::ReleaseVersion(const std::string& quarantine_id, bool) {
+  throw Error(Code::kNotFound, "no document '" + quarantine_id + "' is kept aside");
 }
 
 std::string Knowledge::RenderSemantic(const std::string& environment, int version,
