@@ -74,6 +74,9 @@ void ReadManner(const rdf::View& view, const Value& manner, State& state) {
     const prolog::List& parts = effect.compound().arguments;
     state.effects.push_back({parts.at(0).text(), ToFluent(parts.at(1).text(), state)});
   }
+  // What ends for any argument ends before something new begins.
+  std::stable_partition(state.effects.begin(), state.effects.end(),
+                        [](const Effect& effect) { return effect.fluent.argument == "*"; });
 }
 
 State ToState(const rdf::View& view, const Value& value) {

@@ -82,10 +82,11 @@ void PrintRefusal(const RemoteError& error) {
   }
   if (document.contains("nearest_robots")) {
     for (const Json& robot : document["nearest_robots"]) {
-      text += "robot that nearly can: " + TextOf(robot, "id") + ", with";
+      std::string added;
       for (const Json& item : robot.value("add", Json::array())) {
-        text += " " + TextOf(item, "text") + (&item == &robot["add"].back() ? "\n" : ",");
+        added += (added.empty() ? "" : ", ") + TextOf(item, "text");
       }
+      text += "robot that nearly can: " + TextOf(robot, "id") + ", with " + added + "\n";
     }
   }
   Print(text);

@@ -78,12 +78,15 @@ PlanAnswer Knowledge::MakePlan(const PlanRequest& request) {
 // Who else could, and who nearly.
 void Knowledge::AddOtherRobots(const PlanRequest& request, PlanAnswer& answer) {
   constexpr std::size_t kNearest = 3;
+  const std::string asked = Resolve(store::DocumentKind::kRobot, request.robot).document.id;
   const RobotsAnswer all =
       RankRobots({request.task, request.environment, request.environment_version, request.strict});
   for (const RobotRank& robot : all.robots) {
     if (robot.ranked.feasible) {
       answer.capable_robots.push_back(robot.ranked.robot);
       answer.capable_robots.back().label = robot.document;
+    } else if (robot.document == asked) {
+      continue;  // what it lacks is the answer itself
     } else if (robot.ranked.cost && answer.nearest_robots.size() < kNearest) {
       answer.nearest_robots.push_back(robot);
     }

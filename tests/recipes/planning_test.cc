@@ -283,6 +283,16 @@ TEST(Conditions, WhatIsAssumedIsSaid) {
   EXPECT_EQ(ToText(result.plan->assumptions[0]), "vision_running");
 }
 
+TEST(Conditions, WhatEndsForAnyEndsBeforeSomethingNewBegins) {
+  const auto result = Make(PartialOrder({{"a", kGo}}, {}) + kHere);
+  ASSERT_PLAN(result);
+  std::vector<std::string> effects;
+  for (const auto& effect : StateOf(*result.plan, "a").effects) {
+    if (effect.outcome == "succeeded") effects.push_back(ToText(effect.fluent));
+  }
+  EXPECT_THAT(effects, ElementsAre("not at(*)", "at(here)"));
+}
+
 // -- made anew --
 
 std::string Three() {
