@@ -97,21 +97,20 @@ moves(Structure, Start, [End], Moves, Unordered) :-
 %   Ids from the steps' names, with the containing steps' names in front where that is ambiguous.
 
 identify(Paths, Nodes) :-
-    identify(Paths, Paths, [succeeded, failed, exhausted], Nodes).
+    findall(Path-Short, (member(Path, Paths), Path = [Step|_], id_name(Step, Short)), Named),
+    identify(Named, Named, [succeeded, failed, exhausted], Nodes).
 
 identify([], _, _, []).
-identify([Path|Rest], Paths, Taken, [node(Path, Id)|Nodes]) :-
-    Path = [Step|_],
-    id_name(Step, Short),
+identify([Path-Short|Rest], Named, Taken, [node(Path, Id)|Nodes]) :-
     (   \+ memberchk(Short, Taken),
-        \+ ( member([Other|Above], Paths), [Other|Above] \== Path, id_name(Other, Short) )
+        \+ ( member(Other-Short, Named), Other \== Path )
     ->  Id = Short
     ;   reverse(Path, Outermost),
         findall(Name, (member(Part, Outermost), id_name(Part, Name)), Names),
         atomic_list_concat(Names, '--', Long),
         unique(Long, Taken, 1, Id)
     ),
-    identify(Rest, Paths, [Id|Taken], Nodes).
+    identify(Rest, Named, [Id|Taken], Nodes).
 
 unique(Name, Taken, Count, Id) :-
     ( Count =:= 1 -> Candidate = Name ; atomic_list_concat([Name, '--', Count], Candidate) ),

@@ -28,7 +28,11 @@ recipe is made flat (flattening.pl), each step gets a skill template (templates.
 %   Options is _{strict, answers, environment, layers, given}: `answers` lists Step-Template, `given`
 %   what was asked for (parameters.pl); Place is the environment's individual or class, or ''.
 
-plan(Task, _, _, _, failed{choices:[], problems:Problems}) :-
+plan(Task, Robot, Options, Place, Result) :-
+    remember_tasks(Task),
+    plan_remembered(Task, Robot, Options, Place, Result).
+
+plan_remembered(Task, _, _, _, failed{choices:[], problems:Problems}) :-
     all_steps(Task, Steps),
     findall(Problem,
             ( member(Step, Steps), ( Step == Task -> Described = Step ; task_of(Step, Described) ),
@@ -37,7 +41,7 @@ plan(Task, _, _, _, failed{choices:[], problems:Problems}) :-
     Found \== [],
     !,
     list_to_set(Found, Problems).
-plan(Task, Robot, Options, Place, Result) :-
+plan_remembered(Task, Robot, Options, Place, Result) :-
     get_dict(strict, Options, Strict),
     get_dict(answers, Options, Answers),
     get_dict(layers, Options, Layers),

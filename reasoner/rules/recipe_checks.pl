@@ -361,9 +361,16 @@ given_classes(Step, Steps, Producers) :-
               atom(Value),
               member(Producer, Steps),
               Producer \== Step,
-              restriction(Producer, 'https://w3id.org/lares#outputsCreated', _, Value) ),
+              creates(Producer, Value) ),
             Found),
     sort(Found, Producers).
+
+creates(Producer, Value) :-
+    created_by(Producer, Known),
+    !,
+    memberchk(Value, Known).
+creates(Producer, Value) :-
+    restriction(Producer, 'https://w3id.org/lares#outputsCreated', _, Value).
 
 input_property(Property) :- rdf_equal(Property, lares:toLocation).
 input_property(Property) :- rdf_equal(Property, lares:objectActedOn).

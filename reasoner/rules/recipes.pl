@@ -2,6 +2,8 @@
           [ task/1,
             task_in/2,
             task_of/2,
+            remember_tasks/1,
+            created_by/2,
             own_restriction/4,
             own_step/2,
             structure/2,
@@ -37,7 +39,8 @@ orders `before(A, B, Id)`, likewise.
 %   Class says itself how it is done.
 
 task(Class) :-
-    own_restriction(Class, Property, _, _),
+    own_node(Class, Node),
+    rdf_asserted(Node, owl:onProperty, Property),
     task_property(Property),
     !.
 
@@ -47,10 +50,19 @@ task(Class) :-
 %   skill does it as a whole. Of several recipes the first by IRI.
 
 task_of(Step, Task) :-
+    nb_current(tasks_of_steps, Known),
+    memberchk(Step-Found, Known),
+    !,
+    Found \== none,
+    Task = Found.
+task_of(Step, Task) :-
+    find_task_of(Step, Task).
+
+find_task_of(Step, Task) :-
     task(Step),
     !,
     Task = Step.
-task_of(Step, Task) :-
+find_task_of(Step, Task) :-
     named_supers(Step, Supers),
     findall(Super, (member(Super, Supers), task(Super), \+ done_as_a_whole(Step, Super)), Found),
     most_specific(Found, [Task|_]).
@@ -165,6 +177,32 @@ part(Id, Property, Value) :-
     atom(Value).
 part(Id, Property, none) :-
     \+ rdf_asserted(Id, Property, _).
+
+%!  remember_tasks(+Task) is det.
+%
+%   Until the running goal is undone, task_of/2 and created_by/2 of Task and of all its steps are looked
+%   up.
+
+remember_tasks(Task) :-
+    all_steps(Task, Steps),
+    findall(Step-Found,
+            ( member(Step, Steps), ( find_task_of(Step, One) -> Found = One ; Found = none ) ),
+            Known),
+    b_setval(tasks_of_steps, Known),
+    findall(Step-Values,
+            ( member(Step, Steps),
+              findall(Value, restriction(Step, 'https://w3id.org/lares#outputsCreated', _, Value),
+                      Values) ),
+            Created),
+    b_setval(outputs_of_steps, Created).
+
+%!  created_by(+Step, -Values:list) is semidet.
+%
+%   What Step creates (outputsCreated), where that was remembered.
+
+created_by(Step, Values) :-
+    nb_current(outputs_of_steps, Created),
+    memberchk(Step-Values, Created).
 
 %!  all_steps(+Task, -Steps:ordset) is det.
 %

@@ -275,9 +275,13 @@ TEST_F(KnowledgeTest, RobotsAreRankedByTheSmallestChangeAndRankedAnewWhenTheyCha
   EXPECT_EQ(ranked()[1].ranked.cost, 200);
   ASSERT_EQ(ranked()[1].ranked.repair.add.size(), 1U);
   EXPECT_EQ(ranked()[1].ranked.repair.add[0].what.iri, "https://w3id.org/lares#MobileBase");
+  // Who was asked is not among those that nearly can.
+  EXPECT_TRUE(knowledge_->MakePlan({"walk", "statue"}).nearest_robots.empty());
+  Put(DocumentKind::kRobot, "bust", std::string(kPrefixes) + ":bust a lares:Robot .\n");
   const auto refused = knowledge_->MakePlan({"walk", "statue"});
-  EXPECT_TRUE(refused.nearest_robots.size() == 1U &&
-              refused.nearest_robots[0].document == "statue");
+  ASSERT_EQ(refused.nearest_robots.size(), 1U);
+  EXPECT_EQ(refused.nearest_robots[0].document, "bust");
+  knowledge_->Remove(DocumentKind::kRobot, "bust");
 
   Put(DocumentKind::kRobot, "statue", bare + ":statue lares:subComponent :b . :b a lares:Base .\n");
   EXPECT_FALSE(ranked()[1].ranked.feasible) << "a base of its own version, yet none that moves";
