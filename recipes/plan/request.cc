@@ -49,6 +49,7 @@ class Meanings {
     for (const std::string& name : names) {
       meanings_[name];
       by_lower_[ToLower(name)].push_back(name);
+      lengths_.insert(name.size());
     }
     const rdf::Dictionary& dictionary = view.dictionary();
     const auto type = dictionary.FindIri(std::string(rdf::kRdf) + "type");
@@ -64,18 +65,25 @@ class Meanings {
  private:
   void FindClassesAndThings() {
     const rdf::Dictionary& dictionary = view_.dictionary();
-    view_.ForEach(
-        {rdf::kAnyTerm, type_, rdf::kAnyTerm},
-        [&](const rdf::Triple& triple) {
-          const rdf::TermView subject = dictionary.Get(triple.subject);
-          if (subject.kind != rdf::TermKind::kIri) return true;
-          AddByName(triple, subject.value);
-          return true;
-        },
-        rdf::Origin::kAsserted);
+    ForEachStated(type_, [&](const rdf::Triple& triple) {
+      const rdf::TermView subject = dictionary.Get(triple.subject);
+      if (subject.kind == rdf::TermKind::kIri) AddByName(triple, subject.value);
+    });
+  }
+  // Straight through the documents: what follows from them names nothing new.
+  template <typename Visit>
+  void ForEachStated(rdf::TermId predicate, Visit visit) const {
+    for (const auto& layer : view_.layers()) {
+      for (const rdf::Graph& graph : layer->graphs()) {
+        for (const rdf::Triple& triple : graph.triples) {
+          if (triple.predicate == predicate) visit(triple);
+        }
+      }
+    }
   }
   void AddByName(const rdf::Triple& triple, std::string_view iri) {
     const std::string_view local = LocalName(iri);
+    if (lengths_.count(local.size()) == 0 && meanings_.count(std::string(iri)) == 0) return;
     const auto named = by_lower_.find(ToLower(local));
     if (named != by_lower_.end()) {
       for (const std::string& name : named->second) {
@@ -89,20 +97,16 @@ class Meanings {
     const rdf::Dictionary& dictionary = view_.dictionary();
     const auto label = dictionary.FindIri(std::string(rdf::kRdfs) + "label");
     if (!label) return;
-    view_.ForEach(
-        {rdf::kAnyTerm, *label, rdf::kAnyTerm},
-        [&](const rdf::Triple& triple) {
-          const auto named = by_lower_.find(ToLower(dictionary.Get(triple.object).value));
-          const rdf::TermView subject = dictionary.Get(triple.subject);
-          if (named == by_lower_.end() || subject.kind != rdf::TermKind::kIri) return true;
-          for (const rdf::TermId kind : view_.Objects(triple.subject, type_)) {
-            for (const std::string& name : named->second) {
-              Side(name, kind).Add(kLabel, subject.value);
-            }
-          }
-          return true;
-        },
-        rdf::Origin::kAsserted);
+    ForEachStated(*label, [&](const rdf::Triple& triple) {
+      const std::string_view text = dictionary.Get(triple.object).value;
+      if (lengths_.count(text.size()) == 0) return;
+      const auto named = by_lower_.find(ToLower(text));
+      const rdf::TermView subject = dictionary.Get(triple.subject);
+      if (named == by_lower_.end() || subject.kind != rdf::TermKind::kIri) return;
+      for (const rdf::TermId kind : view_.Objects(triple.subject, type_)) {
+        for (const std::string& name : named->second) Side(name, kind).Add(kLabel, subject.value);
+      }
+    });
   }
   // owl:Class and what is no thing of the world go to the classes' side or nowhere.
   Candidates& Side(const std::string& name, rdf::TermId kind) {
@@ -117,6 +121,7 @@ class Meanings {
   rdf::TermId type_{};
   std::map<std::string, Meaning> meanings_;
   std::map<std::string, std::vector<std::string>> by_lower_;
+  std::set<std::size_t> lengths_;
   Candidates nowhere_;
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/aside.h"
+#include "base/text.h"
 #include "ontology/rdf/vocabulary.h"
 #include "reasoner/owl/materialise.h"
 #include "server/knowledge/knowledge.h"
@@ -73,20 +74,22 @@ std::vector<recipes::Offer> Knowledge::State::OffersFor(
 }
 
 std::vector<recipes::Resource> Knowledge::ObjectsAskedFor(const PlanRequest& request) {
-  const rdf::View view = Catalogue();
+  const auto catalogue = state_->catalogue();
+  const rdf::View& view = catalogue->view;
   const rdf::Dictionary& dictionary = view.dictionary();
   const auto sub_class = dictionary.FindIri(std::string(rdf::kRdfs) + "subClassOf");
   const auto object = dictionary.FindIri(std::string(rdf::kLares) + "PhysicalObject");
   std::vector<recipes::Resource> classes;
   if (!sub_class || !object) return classes;
   for (const auto& [name, value] : request.set) {
-    try {
-      recipes::Resource found = ResolveClass(value);
-      const auto term = dictionary.FindIri(found.iri);
-      if (term && view.Contains({*term, *sub_class, *object})) classes.push_back(std::move(found));
-    } catch (const Error& error) {
-      // No class, or one of several: planning says so where it matters.
-      if (error.code() != Code::kNotFound && error.code() != Code::kAmbiguous) throw;
+    // No class, or one of several: planning says so where it matters.
+    auto term = dictionary.FindIri(state_->aliases.Canonical(value));
+    const auto named = catalogue->classes_by_name.find(ToLower(value));
+    if (named != catalogue->classes_by_name.end() && named->second.size() == 1) {
+      term = named->second.front();
+    }
+    if (term && view.Contains({*term, *sub_class, *object})) {
+      classes.push_back(Describe(view, *term));
     }
   }
   return classes;
