@@ -118,4 +118,19 @@ std::string_view LocalName(std::string_view iri) {
   return at == std::string_view::npos || at + 1 == iri.size() ? iri : iri.substr(at + 1);
 }
 
+std::size_t CodePoints(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::string Shortened(std::string_view text, std::size_t most) {
+  if (CodePoints(text) <= most) return std::string(text);
+  std::size_t end = 0;
+  for (std::size_t count = 0; count + 1 < most; ++count) {
+    ++end;
+    while (end < text.size() && (text[end] & 0xC0) == 0x80) ++end;
+  }
+  return std::string(text.substr(0, end)) + "…";
+}
+
 }  // namespace lares

@@ -21,6 +21,10 @@ std::vector<std::string> SimilarNames(std::string_view name,
                                       const std::vector<std::string>& candidates,
                                       std::size_t limit = 3);
 
+std::size_t CodePoints(std::string_view text);  // of UTF-8
+// At most `most` code points of UTF-8 text, the last an ellipsis where something was cut off.
+std::string Shortened(std::string_view text, std::size_t most);
+
 // A name for files and URLs: 1–128 of [A-Za-z0-9._-], first not '.' or '-'.
 bool IsIdentifier(std::string_view text);
 

@@ -20,7 +20,4 @@ std::string WriteTurtle(const Document& document);
 std::string WriteRdfXml(const Document& document);
 std::string WriteJsonLd(const Document& document);
 
-// UTF-8 text that XML can hold, as character data or as the value of an attribute.
-std::string EscapedXml(std::string_view text, bool is_attribute);
-
 }  // namespace lares::rdf

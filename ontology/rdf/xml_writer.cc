@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/xml_text.h"
 #include "ontology/rdf/term_checks.h"
 #include "ontology/rdf/vocabulary.h"
 #include "ontology/rdf/writers.h"
@@ -42,7 +43,8 @@ class XmlWriter {
   void WriteProperty(const Statement& statement);
   void WriteLiteral(const Term& literal, const std::string& name);
   std::string Attribute(std::string_view local, std::string_view value) const {
-    return " " + rdf_ + ":" + std::string(local) + "=\"" + EscapedXml(value, true) + "\"";
+    return " " + rdf_ + ":" + std::string(local) + "=\"" + EscapedXml(value, XmlUse::kAttribute) +
+           "\"";
   }
 
   const Document& document_;
@@ -66,7 +68,7 @@ std::string XmlWriter::Run() {
   for (const auto& [space, prefix] : prefix_of_) by_prefix.emplace(prefix, space);
   std::string head = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<" + rdf_ + ":RDF";
   for (const auto& [prefix, space] : by_prefix) {
-    head += "\n    xmlns:" + prefix + "=\"" + EscapedXml(space, true) + "\"";
+    head += "\n    xmlns:" + prefix + "=\"" + EscapedXml(space, XmlUse::kAttribute) + "\"";
   }
   return head + ">\n\n" + body_ + "</" + rdf_ + ":RDF>\n";
 }
@@ -153,41 +155,14 @@ void XmlWriter::WriteLiteral(const Term& literal, const std::string& name) {
         .WithHint("Turtle can");
   }
   if (!literal.language.empty()) {
-    body_ += " xml:lang=\"" + EscapedXml(literal.language, true) + "\"";
+    body_ += " xml:lang=\"" + EscapedXml(literal.language, XmlUse::kAttribute) + "\"";
   } else if (!literal.datatype.empty()) {
     body_ += Attribute("datatype", literal.datatype);
   }
-  body_ += ">" + EscapedXml(literal.value, false) + "</" + name + ">\n";
+  body_ += ">" + EscapedXml(literal.value, XmlUse::kText) + "</" + name + ">\n";
 }
 
 }  // namespace
-
-std::string EscapedXml(std::string_view text, bool is_attribute) {
-  std::string escaped;
-  escaped.reserve(text.size());
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '\r':
-        escaped += "&#13;";
-        break;
-      case '"':
-        escaped += is_attribute ? "&quot;" : "\"";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
 
 std::string WriteRdfXml(const Document& document) { return XmlWriter(document).Run(); }
 

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text.h"
+#include "base/xml_text.h"
 #include "reasoner/owl/phrases.h"
 #include "reasoner/owl/proof.h"
 
@@ -25,42 +27,6 @@ struct Box {
   double top() const { return kMargin + static_cast<double>(layer) * kLayerHeight; }
 };
 
-std::size_t Length(std::string_view text) {  // in code points
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-std::string Shortened(const std::string& text) {
-  if (Length(text) <= kMaxChars) return text;
-  std::size_t end = 0, count = 0;
-  while (count < kMaxChars - 1) {
-    ++end;
-    while (end < text.size() && (text[end] & 0xC0) == 0x80) ++end;
-    ++count;
-  }
-  return text.substr(0, end) + "…";
-}
-
-std::string Escaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '<') {
-      escaped += "&lt;";
-    } else if (c == '>') {
-      escaped += "&gt;";
-    } else if (c == '&') {
-      escaped += "&amp;";
-    } else if (c == '"') {
-      escaped += "&quot;";
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-      escaped += ' ';
-    } else {
-      escaped += c;
-    }
-  }
-  return escaped;
-}
-
 std::string SecondLine(const ProofNode& node) {
   if (!node.is_asserted()) return node.rule + " · table " + std::to_string(node.table);
   std::string text = "stated in ";
@@ -75,10 +41,11 @@ std::vector<Box> MakeBoxes(const Proof& proof, const rdf::View& view) {
     Box& box = boxes[i];
     box.is_shown = !node.is_asserted() || !IsListCell(node.triple, view);
     box.title = PhraseOf(node.triple, view);
-    box.line1 = Shortened(box.title);
-    box.line2 = Shortened(SecondLine(node));
+    box.line1 = Shortened(box.title, kMaxChars);
+    box.line2 = Shortened(SecondLine(node), kMaxChars);
     box.width =
-        kCharWidth * static_cast<double>(std::max(Length(box.line1), Length(box.line2))) + 24;
+        kCharWidth * static_cast<double>(std::max(CodePoints(box.line1), CodePoints(box.line2))) +
+        24;
     for (const std::size_t premise : node.premises) {
       boxes[premise].layer = std::max(boxes[premise].layer, box.layer + 1);
     }
@@ -137,12 +104,13 @@ std::string Drawn(const Box& box, const ProofNode& node) {
   const char* fill = node.is_contradiction() ? "#fdd" : node.is_asserted() ? "#e3f4e3" : "#eef2fb";
   const char* stroke = node.is_contradiction() ? "#b33" : node.is_asserted() ? "#4a4" : "#57a";
   const std::string x = Number(box.centre());
-  return "<g><title>" + Escaped(box.title) + "</title><rect x=\"" + Number(box.x) + "\" y=\"" +
-         Number(box.top()) + "\" width=\"" + Number(box.width) + "\" height=\"" +
-         Number(kBoxHeight) + "\" rx=\"6\" fill=\"" + fill + "\" stroke=\"" + stroke +
-         "\"/><text x=\"" + x + "\" y=\"" + Number(box.top() + 18) + "\">" + Escaped(box.line1) +
-         "</text><text x=\"" + x + "\" y=\"" + Number(box.top() + 35) + "\" class=\"by\">" +
-         Escaped(box.line2) + "</text></g>\n";
+  return "<g><title>" + EscapedXml(box.title, XmlUse::kText) + "</title><rect x=\"" +
+         Number(box.x) + "\" y=\"" + Number(box.top()) + "\" width=\"" + Number(box.width) +
+         "\" height=\"" + Number(kBoxHeight) + "\" rx=\"6\" fill=\"" + fill + "\" stroke=\"" +
+         stroke + "\"/><text x=\"" + x + "\" y=\"" + Number(box.top() + 18) + "\">" +
+         EscapedXml(box.line1, XmlUse::kText) + "</text><text x=\"" + x + "\" y=\"" +
+         Number(box.top() + 35) + "\" class=\"by\">" + EscapedXml(box.line2, XmlUse::kText) +
+         "</text></g>\n";
 }
 
 // A curve, so that lines that pass a layer can be told apart.

@@ -1,6 +1,8 @@
 :- module(flattening,
           [ flatten_task/2,
-            ends_in_failure/3,
+            ends_in_failure/4,
+            failure/3,
+            failure_cause/3,
             exit_of_loop/4
           ]).
 :- use_module(library(lists)).
@@ -17,6 +19,7 @@
 
 A node is `node(Path, Id)`, Path the step with the steps that contain it, innermost first; an edge is
 `edge(Path, Cause, Path)`, Cause an action result, or `any` where a whole inner recipe was completed.
+`unordered` are unordered(Above, Steps): steps of one recipe that nothing puts in order.
 A level is `level(Above, Moves, Ends, Inner)`: the recipe of one task, whose steps lead on by
 `move(From, Cause, To)` and are entered and left by `inner(Step, Entry, Exits)`.
 */
@@ -52,7 +55,8 @@ expand(Step, Above, Entry, Exits, Paths, Edges, Unordered, [level(Above, Moves, 
               edge_cause(Cause, A-Outs, EdgeCause) ),
             OwnEdges),
     append(OwnEdges, InnerEdges, Edges),
-    append(Unordered0, InnerUnordered, Unordered).
+    findall(unordered(Above, Group), member(Group, Unordered0), Own),
+    append(Own, InnerUnordered, Unordered).
 
 % An inner recipe that is completed has ended in whatever its last step found.
 edge_cause(Cause, Step-[[Step|_]], Cause) :- !.
@@ -132,15 +136,56 @@ id_code(Code, Code) :-
     !.
 id_code(_, 0'-).
 
-%!  ends_in_failure(+Flat:dict, +Path, +Cause) is semidet.
+%!  ends_in_failure(+Flat:dict, +Path, +Cause, -Target) is semidet.
 %
-%   The recipe itself says that the task has failed when the step at Path ends with Cause.
+%   A recipe itself says that its task has failed when the step at Path ends with Cause: the recipe of
+%   the step, or one that contains it of which the step is an exit. Target is where that leads.
 
-ends_in_failure(Flat, [Step|Above], Cause) :-
-    get_dict(levels, Flat, Levels),
-    memberchk(level(Above, Moves, _, _), Levels),
+ends_in_failure(Flat, [Step|Above], Cause, Target) :-
+    level_of(Flat, Above, Moves, _),
     rdf_equal(Failed, lares:'TaskFailed'),
-    memberchk(move(Step, Cause, Failed), Moves).
+    memberchk(move(Step, Cause, Failed), Moves),
+    !,
+    failure(Flat, Above, Target).
+ends_in_failure(Flat, Path, Cause, Target) :-
+    Path = [_, Nesting|Outer],
+    exit_of(Flat, Path, [Nesting|Outer]),
+    ends_in_failure(Flat, [Nesting|Outer], Cause, Target).
+
+%!  failure(+Flat:dict, +Above, -Target) is det.
+%
+%   Where it leads when the recipe of the steps below Above has failed: to where the recipes that
+%   contain it say, else to the end.
+
+failure(_, [], end(failed)).
+failure(Flat, [Nesting|Outer], Target) :-
+    level_of(Flat, Outer, Moves, Inner),
+    rdf_equal(Failure, lares:'COMPLETED_FAILED'),
+    rdf_equal(Failed, lares:'TaskFailed'),
+    (   memberchk(move(Nesting, Failure, To), Moves),
+        To \== Failed,
+        memberchk(inner(To, Entry, _), Inner)
+    ->  Target = node(Entry)
+    ;   failure(Flat, Outer, Target)
+    ).
+
+%!  failure_cause(+Flat:dict, +Path, -Cause) is nondet.
+%
+%   By Cause the recipe leads on from the step at Path to its failure.
+
+failure_cause(Flat, [Step|Above], Cause) :-
+    level_of(Flat, Above, Moves, _),
+    rdf_equal(Failed, lares:'TaskFailed'),
+    member(move(Step, Cause, Failed), Moves).
+
+level_of(Flat, Above, Moves, Inner) :-
+    get_dict(levels, Flat, Levels),
+    memberchk(level(Above, Moves, _, Inner), Levels).
+
+exit_of(Flat, Path, [Nesting|Outer]) :-
+    level_of(Flat, Outer, _, Inner),
+    memberchk(inner(Nesting, _, Exits), Inner),
+    memberchk(Path, Exits).
 
 %!  exit_of_loop(+Flat:dict, +Path, -Target, -Reason:string) is det.
 %

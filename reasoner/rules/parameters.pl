@@ -20,8 +20,8 @@ where the value will be (a placeholder), and says of it `parameterOf` (the task)
 `parameterDefault`, `optionalParameter`, and `parameterProperty`: with which property a step that
 nests the recipe gives the value.
 
-What was asked for comes as `given{name, text, class, thing, items}`: the text, the class and the
-individual that go by it ('' for none), and the same of each part of a list. A value that was read is
+What was asked for comes as `given{name, text, classes, things, items}`: the text, the classes and the
+individuals that go equally well by it, and the same of each part of a list. A value that was read is
 one of class(Iri), thing(Iri), text(Text), pose(Text), items(Texts, Iris) or stated(Value), which is what
 the recipe itself says.
 */
@@ -120,11 +120,14 @@ settled_as(Parameter, Value, IsDefault,
     get_dict(type, Parameter, Type),
     get_dict(unit, Parameter, Unit).
 
-below_problem(Parameter, class(Class), ["'", Name, "' must be a kind of ", label(Below), ", and ",
-                                        label(Class), " is none"]) :-
+below_problem(Parameter, Value, ["'", Name, "' must be a kind of ", label(Below), ", and ",
+                                 label(One), " is none"]) :-
     get_dict(below, Parameter, Below),
     Below \== none,
-    \+ subclass(Class, Below),
+    ( Value = class(One) ; Value = thing(One) ; Value = items(_, Items), member(One, Items) ),
+    \+ subclass(One, Below),
+    \+ rdf(One, rdf:type, Below),
+    !,
     get_dict(name, Parameter, Name).
 
 %!  unknown_settings(+Given:list, +Settled:list, +Used:list, -Names:list) is det.
@@ -173,19 +176,45 @@ nested_value(_, _, Placeholder, stated(Default)) :-
 read_given(Given, Type, Unit, Value) :-
     get_dict(text, Given, Text),
     get_dict(name, Given, Name),
-    (   read_value(Type, Unit, Given, Value0)
+    (   many_meant(Type, Given, Text0, Many)
+    ->  names_of(Many, Names),
+        append(["'", Name, "' may be, for '", Text0, "', "|Names], [": write the IRI"], Sentence),
+        Value = problem(Sentence)
+    ;   read_value(Type, Unit, Given, Value0)
     ->  Value = Value0
     ;   wanted(Type, Unit, Wanted),
         Value = problem(["'", Name, "' must be ", Wanted, ", not '", Text, "'"])
     ).
 
+% Only what the type asks for can be ambiguous.
+many_meant(Type, Given, Text, Many) :-
+    meaning_of(Type, Key, Whole),
+    (   Whole == true
+    ->  One = Given
+    ;   get_dict(items, Given, Items),
+        member(One, Items)
+    ),
+    get_dict(Key, One, Many),
+    Many = [_, _|_],
+    get_dict(text, One, Text),
+    \+ ( Key == things, pose_text(Text, _) ),
+    !.
+
+meaning_of(class, classes, true).
+meaning_of(class_list, classes, false).
+meaning_of(designator, things, true).
+meaning_of(pose, things, true).
+meaning_of(designator_list, things, false).
+
+names_of([One], [name(One)]) :- !.
+names_of([One|More], [name(One), " or "|Rest]) :- names_of(More, Rest).
+
 read_value(class, _, Given, class(Class)) :-
-    get_dict(class, Given, Class),
-    Class \== ''.
+    get_dict(classes, Given, [Class]).
 read_value(class_list, _, Given, items(Texts, Classes)) :-
-    list_of(class, Given, Texts, Classes).
+    list_of(classes, Given, Texts, Classes).
 read_value(designator_list, _, Given, items(Texts, Things)) :-
-    list_of(thing, Given, Texts, Things).
+    list_of(things, Given, Texts, Things).
 read_value(pose_list, _, Given, items(Texts, Poses)) :-
     get_dict(items, Given, Items),
     Items = [_|_],
@@ -210,17 +239,17 @@ thing_or_pose(Given, pose(Pose)) :-
     pose_text(Text, Pose),
     !.
 thing_or_pose(Given, thing(Thing)) :-
-    get_dict(thing, Given, Thing),
-    Thing \== ''.
+    get_dict(things, Given, [Thing]).
 
 list_of(Key, Given, Texts, Iris) :-
     get_dict(items, Given, Items),
     Items = [_|_],
-    findall(Text-Iri, (member(Item, Items), get_dict(text, Item, Text), get_dict(Key, Item, Iri)),
+    findall(Text-Iri, (member(Item, Items), get_dict(text, Item, Text), get_dict(Key, Item, [Iri])),
             Found),
+    length(Items, Count),
+    length(Found, Count),
     findall(Text, member(Text-_, Found), Texts),
-    findall(Iri, member(_-Iri, Found), Iris),
-    \+ memberchk('', Iris).
+    findall(Iri, member(_-Iri, Found), Iris).
 
 % "x y yaw" or "x y z qx qy qz qw", in the map frame.
 pose_text(Text, Pose) :-
@@ -236,8 +265,10 @@ pose_text(Text, Pose) :-
 exclude_empty(Parts, Kept) :-
     findall(Part, (member(Part, Parts), Part \== ""), Kept).
 
+% In the notation of XML Schema, as everywhere else, not in Prolog's.
 finite(Text, Number) :-
-    catch(number_string(Number, Text), error(syntax_error(_), _), fail),
+    atom_string(Atom, Text),
+    rdf_number(literal(Atom, '', ''), Number),
     abs(Number) < 1.0e9.
 
 full_pose([X, Y, Yaw], [X, Y, 0, 0, 0, Sine, Cosine]) :-

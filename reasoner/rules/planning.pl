@@ -53,7 +53,10 @@ plan_remembered(Task, Robot, Options, Place, Result) :-
     flatten_task(Task, Flat),
     chosen_templates(Flat, here(Context, Place, Layers), Answers, Chosen, Choices, Unserved),
     settle(Task, Given, Settled, Unsettled),
-    append(Unserved, Unsettled, Problems),
+    get_dict(nodes, Flat, Nodes),
+    findall(Step, member(node([Step|_], _), Nodes), Steps),
+    unknown_answers(Answers, Steps, Unknown),
+    append([Unserved, Unsettled, Unknown], Problems),
     (   Choices == [], Problems == []
     ->  keys(Chosen, Keys),
         ( robot_camera(Robot, Camera) -> true ; Camera = none ),
@@ -107,7 +110,7 @@ chosen_templates(Flat, here(Context, Place, Layers), Answers, Chosen, Choices, P
 
 causes(Flat, Path, Causes) :-
     get_dict(edges, Flat, Edges),
-    findall(Cause, member(edge(Path, Cause, _), Edges), Found),
+    findall(Cause, ( member(edge(Path, Cause, _), Edges) ; failure_cause(Flat, Path, Cause) ), Found),
     sort(Found, Causes).
 
 % -- keys: what steps create and others use --
@@ -199,7 +202,11 @@ finish(Flat, Chosen, States, Remarks, Settled,
               target_id(Flat, end(Kind), Id),
               memberchk(Id, Reached) ),
             Ends),
-    get_dict(unordered, Flat, Unordered),
+    get_dict(unordered, Flat, Groups),
+    findall(group{steps:Steps, ids:Ids},
+            ( member(unordered(Above, Steps), Groups),
+              findall(Id, (member(Step, Steps), node_id(Flat, [Step|Above], Id)), Ids) ),
+            Unordered),
     findall(Note, (member(note(Note), Remarks) ; structure_note(Flat, Note)
                   ; added_note(Transitions, Note) ; nothing_found_note(Transitions, Note)), Notes0),
     list_to_set(Notes0, Notes),
@@ -241,7 +248,7 @@ reached([Id|Queue], Transitions, Seen, Reached) :-
 
 structure_note(Flat, ["the recipe does not say in which order these are done: "|Names]) :-
     get_dict(unordered, Flat, Groups),
-    member(Group, Groups),
+    member(unordered(_, Group), Groups),
     naming(Group, Names).
 structure_note(Flat, Note) :-
     get_dict(notes, Flat, Notes),
@@ -288,9 +295,9 @@ plain_names([One|More], [One, " → "|Rest]) :- plain_names(More, Rest).
 
 % -- the way on from an outcome --
 
-way_on(Flat, Path, _, Result, end(failed), false, "") :-
+way_on(Flat, Path, _, Result, Target, false, "") :-
     Result \== none,
-    ends_in_failure(Flat, Path, Result),
+    ends_in_failure(Flat, Path, Result, Target),
     !.
 way_on(Flat, Path, _, Result, Target, false, "") :-
     Result \== none,
@@ -308,6 +315,9 @@ way_on(Flat, Path, Name, _, end(succeeded), false, "") :-
 way_on(Flat, Path, exhausted, _, Target, true, Reason) :-
     !,
     exit_of_loop(Flat, Path, Target, Reason).
+way_on(Flat, [_|Above], failed, _, node(To), false, "") :-
+    failure(Flat, Above, node(To)),
+    !.
 way_on(_, _, failed, _, end(failed), true, "the recipe does not say what to do when this fails") :-
     !.
 way_on(_, _, Name, _, end(failed), true, Reason) :-

@@ -148,12 +148,16 @@ problem(Template, Problem) :-
 problem(Template, [name(Template), ": retryCount is a whole number from 0 to 100, not '", Text, "'"]) :-
     texts(Template, lares:retryCount, Texts),
     member(Text, Texts),
-    \+ ( atom_number(Text, Number), integer(Number), between(0, 100, Number) ).
+    \+ ( rdf_number(literal(Text, '', ''), Number), integer(Number), between(0, 100, Number) ).
 problem(Template, [name(Template), ": timeLimit_s is a number of seconds above 0 and up to a week, not '",
                    Text, "'"]) :-
     texts(Template, lares:timeLimit_s, Texts),
     member(Text, Texts),
-    \+ ( atom_number(Text, Number), Number > 0, Number =< 604800 ).
+    \+ ( rdf_number(literal(Text, '', ''), Number), Number > 0, Number =< 604800 ).
+problem(Template, [name(Template), " states ", phrase(Property), " more than once"]) :-
+    ( rdf_equal(Property, lares:retryCount) ; rdf_equal(Property, lares:timeLimit_s)
+    ; rdf_equal(Property, lares:treeFragment) ),
+    texts(Template, Property, [_, _|_]).
 problem(Template, [name(Template), " claims ", name(Class), ", which is no kind of component"]) :-
     values(Template, lares:claims, Classes),
     member(Class, Classes),
@@ -216,7 +220,7 @@ input_problem(Template, Node, [name(Template), ": the default of '", Name, "' is
     rdf_asserted(Node, lares:valueFrom, Source),
     texts(Source, lares:defaultValue, Texts),
     member(Text, Texts),
-    \+ ( atom_number(Text, Number), abs(Number) < 1.0e300 ).
+    \+ rdf_number(literal(Text, '', ''), _).
 
 output_problem(Template, Node, Problem) :-
     named_parameter_problem(Template, Node, "output", Problem).

@@ -1,6 +1,7 @@
 :- module(templates,
           [ choose_template/3,
             template_serves/2,
+            unknown_answers/3,
             can_exhaust/2,
             can_do/3,
             can_end/3,
@@ -95,6 +96,15 @@ pick(Sorted, _, Situation, Answers, Choice) :-
         )
     ).
 
+%!  unknown_answers(+Answers:list, +Steps:list, -Problems:list) is det.
+%
+%   Answers (Step-Template) to what is no step.
+
+unknown_answers(Answers, Steps, Problems) :-
+    findall(["there is no step '", Named, "' for which a skill template was chosen"],
+            ( member(Named-_, Answers), \+ ( member(Step, Steps), goes_by(Step, Named) ) ),
+            Problems).
+
 % By IRI, the last part of it, or label.
 goes_by(Thing, Thing) :- !.
 goes_by(Thing, Name) :- atom_concat(Before, Name, Thing), sub_atom(Before, _, 1, 0, '#'), !.
@@ -136,7 +146,8 @@ applies(Template, Situation) :-
     \+ ( Robot \== none, rdf_asserted(Template, lares:notWithComponent, Class),
          robot_has(Robot, Class) ),
     ( Robot == none -> true ; fits_environment(Template, Situation) ),
-    \+ ( Robot \== none, \+ requirements_hold(Robot, Template) ),
+    \+ ( Robot \== none, rdf_asserted(Template, lares:requires, _),
+         \+ requirements_hold(Robot, Template) ),
     \+ ( Robot \== none, rdf_asserted(Template, lares:needsCapability, Class),
          \+ robot_can(Robot, Class) ).
 

@@ -21,12 +21,15 @@ class World {
   std::optional<Truth> Find(const Fluent& fluent) const {
     const auto one = known_.find({fluent.name, fluent.argument});
     if (one != known_.end()) return one->second;
+    if (fluent.argument.empty()) return std::nullopt;
     const auto any = known_.find({fluent.name, "*"});
     return any == known_.end() ? std::nullopt : std::optional(any->second);
   }
   void Set(const Fluent& fluent, Truth truth) {
     if (fluent.argument == "*") {
-      std::erase_if(known_, [&](const auto& entry) { return entry.first.first == fluent.name; });
+      std::erase_if(known_, [&](const auto& entry) {
+        return entry.first.first == fluent.name && !entry.first.second.empty();
+      });
     }
     known_[{fluent.name, fluent.argument}] = truth;
   }
@@ -45,13 +48,11 @@ struct Situation {
 
 class Simulator {
  public:
-  Simulator(const Plan& plan, const std::vector<Fluent>& held) : plan_(plan), ways_(WaysOf(plan)) {
-    World world;
-    for (const Fluent& fluent : held) world.Set(fluent);
-    Reach(FindState(plan, plan.start), std::move(world), -1);
+  explicit Simulator(const Plan& plan) : plan_(plan), ways_(WaysOf(plan)) {
+    Reach(FindState(plan, plan.start), World(), -1);
   }
 
-  Simulation Run() {
+  Simulation Run(const std::vector<Fluent>& brought_about) {
     for (std::size_t at = 0; at < situations_.size(); ++at) {
       if (situations_.size() > kMaxSituations) {
         result_.complete = false;
@@ -59,6 +60,7 @@ class Simulator {
       }
       Visit(static_cast<int>(at));
     }
+    CheckStart(brought_about);
     std::sort(result_.assumptions.begin(), result_.assumptions.end(),
               [](const Fluent& a, const Fluent& b) {
                 return std::pair(a.name, a.argument) < std::pair(b.name, b.argument);
@@ -76,7 +78,7 @@ class Simulator {
     const State& state = *situations_[at].state;
     if (state.kind == State::Kind::kEnd) return;
     World world = situations_[at].world;
-    const std::vector<const State*> running = Running(state);
+    const std::vector<const State*> running = Running(plan_, state);
     for (const State* each : running) {
       for (const Fluent& fluent : each->preconditions) Need(at, *each, fluent, world);
     }
@@ -89,13 +91,16 @@ class Simulator {
     }
   }
 
-  std::vector<const State*> Running(const State& state) const {
-    if (state.kind != State::Kind::kParallel) return {&state};
-    std::vector<const State*> running;
-    for (const std::string& id : state.members) {
-      if (const State* member = FindState(plan_, id)) running.push_back(member);
+  void CheckStart(const std::vector<Fluent>& brought_about) {
+    World start;
+    for (const Fluent& fluent : brought_about) start.Set(fluent);
+    for (const Fluent& needed : result_.assumptions) {
+      const auto truth = start.Find(needed);
+      if (truth && *truth != (needed.holds ? Truth::kYes : Truth::kNo)) {
+        result_.problems.push_back("'" + plan_.start + "' and what follows need " + ToText(needed) +
+                                   ", which is not so after what is done");
+      }
     }
-    return running;
   }
 
   // Of steps side by side one may have come to its end when another failed.
@@ -187,11 +192,21 @@ Fluent Ground(Fluent fluent, const State& state) {
 }
 
 bool Touches(const Fluent& a, const Fluent& b) {
-  return a.name == b.name && (a.argument == b.argument || a.argument == "*" || b.argument == "*");
+  if (a.name != b.name) return false;
+  if (a.argument == b.argument) return true;
+  const bool is_any = a.argument == "*" || b.argument == "*";
+  return is_any && !a.argument.empty() && !b.argument.empty();
 }
 
-Simulation Simulate(const Plan& plan, const std::vector<Fluent>& held) {
-  return Simulator(plan, held).Run();
+std::string ToText(const Fluent& fluent) {
+  std::string text = fluent.holds ? fluent.name : "not " + fluent.name;
+  if (fluent.argument.empty()) return text;
+  const bool is_iri = fluent.argument.find("://") != std::string::npos;
+  return text + "(" + std::string(is_iri ? LocalName(fluent.argument) : fluent.argument) + ")";
+}
+
+Simulation Simulate(const Plan& plan, const std::vector<Fluent>& brought_about) {
+  return Simulator(plan).Run(brought_about);
 }
 
 }  // namespace lares::recipes

@@ -18,7 +18,8 @@ std::optional<Fluent> ParseFluent(std::string_view text);
 // gives an empty argument.
 Fluent Ground(Fluent fluent, const State& state);
 
-// Whether one is about what the other is about: the same name, and the same argument or any.
+// Whether one is about what the other is about: the same name, and the same argument, or one
+// argument and "*".
 bool Touches(const Fluent& a, const Fluent& b);
 
 struct Simulation {
@@ -26,7 +27,8 @@ struct Simulation {
   std::vector<std::string> problems;  // one sentence each, with the way that leads there
   bool complete = true;               // false: too many situations, not all were looked at
 };
-// Goes through everything that may be so in each state. `held` is what is so at the start.
-Simulation Simulate(const Plan& plan, const std::vector<Fluent>& held = {});
+// Goes through everything that may be so in each state. `brought_about` is what earlier steps have
+// done, in their order: a problem where it contradicts what must be so at the start.
+Simulation Simulate(const Plan& plan, const std::vector<Fluent>& brought_about = {});
 
 }  // namespace lares::recipes

@@ -28,10 +28,13 @@ constexpr std::string_view kContract =
 constexpr std::string_view kOutcome = "outcome";
 constexpr std::string_view kMemberOutcome = "outcome_of_";  // and the member's number
 
-// Other keys must not be the tree's own.
+// Other keys must not be the tree's own, nor what one of those becomes here.
 std::string SafeKey(const std::string& key) {
-  const bool taken = key == "state" || key == kOutcome || key.starts_with(kMemberOutcome);
-  return taken ? key + "_value" : key;
+  constexpr std::string_view kSuffix = "_value";
+  std::string_view bare = key;
+  while (bare.ends_with(kSuffix)) bare.remove_suffix(kSuffix.size());
+  const bool taken = bare == "state" || bare == kOutcome || bare.starts_with(kMemberOutcome);
+  return taken ? key + std::string(kSuffix) : key;
 }
 
 std::string InputValue(const Parameter& parameter) {

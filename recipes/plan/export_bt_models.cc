@@ -46,7 +46,7 @@ std::map<std::string, SkillModel> SkillModels(const Plan& plan) {
 void WritePort(std::ostream& out, std::string_view element, const std::string& name,
                const Port& port) {
   out << "      <" << element << XmlAttribute("name", name) << XmlAttribute("type", port.type)
-      << ">" << EscapedXml(port.description) << "</" << element << ">\n";
+      << ">" << EscapedXml(port.description, XmlUse::kText) << "</" << element << ">\n";
 }
 
 }  // namespace

@@ -1,15 +1,16 @@
-// XML text, as the behaviour trees need it.
+// Attributes of the elements of behaviour trees.
 #pragma once
 
 #include <string>
 #include <string_view>
 
+#include "base/xml_text.h"
+
 namespace lares::recipes {
 
-// For attribute values in double quotes and for text. Control characters that XML 1.0 has no way to
-// write are left out.
-std::string EscapedXml(std::string_view text);
 // ` name="value"`, with a space before it.
-std::string XmlAttribute(std::string_view name, std::string_view value);
+inline std::string XmlAttribute(std::string_view name, std::string_view value) {
+  return " " + std::string(name) + "=\"" + EscapedXml(value, XmlUse::kAttribute) + "\"";
+}
 
 }  // namespace lares::recipes

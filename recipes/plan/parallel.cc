@@ -1,6 +1,7 @@
 #include "recipes/plan/parallel.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "recipes/plan/conditions.h"
@@ -16,10 +17,12 @@ bool OnlySucceedsOrFails(const State& state) {
          state.outcomes == std::vector<std::string>{"succeeded", "failed"};
 }
 
-bool Unordered(const std::vector<std::vector<Resource>>& groups, const State& a, const State& b) {
-  const auto in = [](const std::vector<Resource>& group, const State& state) {
-    return std::any_of(group.begin(), group.end(),
-                       [&](const Resource& step) { return step.iri == state.step.iri; });
+// Groups of states' ids.
+using Groups = std::vector<std::vector<std::string>>;
+
+bool Unordered(const Groups& groups, const State& a, const State& b) {
+  const auto in = [](const std::vector<std::string>& group, const State& state) {
+    return std::find(group.begin(), group.end(), state.id) != group.end();
   };
   return std::any_of(groups.begin(), groups.end(),
                      [&](const auto& group) { return in(group, a) && in(group, b); });
@@ -77,8 +80,7 @@ bool ClaimsFit(const Group& group, const CountParts& count_parts) {
 
 class Grouper {
  public:
-  Grouper(const Plan& plan, const std::vector<std::vector<Resource>>& unordered,
-          const CountParts& count_parts)
+  Grouper(const Plan& plan, const Groups& unordered, const CountParts& count_parts)
       : plan_(plan), unordered_(unordered), count_parts_(count_parts), ways_(WaysOf(plan)) {
     for (const Transition& transition : plan.transitions) ++entries_[transition.to];
     ++entries_[plan.start];
@@ -120,7 +122,7 @@ class Grouper {
   }
 
   const Plan& plan_;
-  const std::vector<std::vector<Resource>>& unordered_;
+  const Groups& unordered_;
   const CountParts& count_parts_;
   const Ways ways_;
   std::map<std::string, int> entries_;
@@ -168,12 +170,12 @@ void Redirect(Plan& plan, const Group& group, const std::string& id) {
 
 }  // namespace
 
-void RunSideBySide(Plan& plan, const std::vector<std::vector<Resource>>& unordered,
-                   const CountParts& count_parts) {
+void RunSideBySide(Plan& plan, const Groups& unordered, const CountParts& count_parts) {
   int number = 1;
+  std::optional<Grouper> grouper(std::in_place, plan, unordered, count_parts);
   for (std::size_t at = 0; at < plan.states.size(); ++at) {
     if (!OnlySucceedsOrFails(plan.states[at]) || !plan.states[at].parallel.empty()) continue;
-    const Group group = Grouper(plan, unordered, count_parts).From(plan.states[at]);
+    const Group group = grouper->From(plan.states[at]);
     if (group.size() < 2) continue;
     State parallel = MakeParallel(group, FreeId(plan, number));
     Redirect(plan, group, parallel.id);
@@ -183,6 +185,7 @@ void RunSideBySide(Plan& plan, const std::vector<std::vector<Resource>>& unorder
       }
     }
     plan.states.insert(plan.states.begin() + static_cast<std::ptrdiff_t>(at), std::move(parallel));
+    grouper.emplace(plan, unordered, count_parts);
   }
 }
 

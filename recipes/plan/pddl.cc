@@ -82,19 +82,10 @@ class Grounding {
     }
   }
 
-  std::vector<const State*> Running(const State& state) const {
-    if (state.kind != State::Kind::kParallel) return {&state};
-    std::vector<const State*> running;
-    for (const std::string& id : state.members) {
-      if (const State* member = FindState(plan_, id)) running.push_back(member);
-    }
-    return running;
-  }
-
   void AddActions(const State& state) {
     const auto ways = ways_.find(state.id);
     if (state.kind == State::Kind::kEnd || ways == ways_.end()) return;
-    const std::vector<const State*> running = Running(state);
+    const std::vector<const State*> running = Running(plan_, state);
     for (const auto& [outcome, to] : ways->second) {
       const State* next = FindState(plan_, to);
       if (next == nullptr) continue;

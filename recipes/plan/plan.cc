@@ -167,7 +167,9 @@ Plan ReadPlan(const rdf::View& view, const Value& value, std::vector<std::string
   }
   for (const Value& group : value.at("unordered").list()) {
     std::vector<std::string>& steps = plan.unordered.emplace_back();
-    for (const Resource& step : MakeResources(view, group)) steps.push_back(step.label);
+    for (const Resource& step : MakeResources(view, group.at("steps"))) {
+      steps.push_back(step.label);
+    }
   }
   plan.notes = MakeSentences(view, value.at("notes"));
   for (const Value& setting : value.at("settings").list()) {
@@ -194,32 +196,32 @@ int PartsOf(const rdf::View& view, const std::string& robot_iri, const std::stri
   return count;
 }
 
-std::vector<std::vector<Resource>> UnorderedSteps(const rdf::View& view, const Value& value) {
-  std::vector<std::vector<Resource>> groups;
+std::vector<std::vector<std::string>> UnorderedStates(const Value& value) {
+  std::vector<std::vector<std::string>> groups;
   for (const Value& group : value.at("unordered").list()) {
-    groups.push_back(MakeResources(view, group));
+    std::vector<std::string>& ids = groups.emplace_back();
+    for (const Value& id : group.at("ids").list()) ids.push_back(id.text());
   }
   return groups;
 }
 
-// What the steps that are done have brought about, as far as that still stands.
-std::vector<Fluent> HeldAfter(const Plan& plan, const std::vector<std::string>& done) {
-  std::vector<Fluent> held;
-  for (const std::string& id : done) {
-    const State* state = FindState(plan, id);
-    if (state == nullptr) continue;
-    for (const Effect& effect : state->effects) {
-      if (effect.outcome == "succeeded") held.push_back(effect.fluent);
+// What the steps that are done have brought about, in the order of the plan that was.
+std::vector<Fluent> BroughtAbout(const Plan& plan, const std::vector<std::string>& done) {
+  std::vector<Fluent> fluents;
+  for (const State& state : plan.states) {
+    if (std::find(done.begin(), done.end(), state.id) == done.end()) continue;
+    for (const Effect& effect : state.effects) {
+      if (effect.outcome == "succeeded") fluents.push_back(effect.fluent);
     }
   }
-  return held;
+  return fluents;
 }
 
 // Everything that is done with a plan once the rules have made it.
 void Finish(const rdf::View& view, const PlanOptions& options,
-            const std::vector<std::vector<Resource>>& unordered, Plan& plan,
+            const std::vector<std::vector<std::string>>& unordered, Plan& plan,
             std::vector<std::string>& problems) {
-  const std::vector<Fluent> held = HeldAfter(plan, options.done);
+  const std::vector<Fluent> brought_about = BroughtAbout(plan, options.done);
   if (!options.from.empty() || !options.done.empty()) Resume(plan, options.from, options.done);
   if (!options.sequential) {
     RunSideBySide(plan, unordered,
@@ -227,7 +229,7 @@ void Finish(const rdf::View& view, const PlanOptions& options,
   }
   problems = CheckPlan(plan);
   if (!problems.empty()) return;
-  Simulation simulation = Simulate(plan, held);
+  Simulation simulation = Simulate(plan, brought_about);
   plan.assumptions = std::move(simulation.assumptions);
   problems = std::move(simulation.problems);
   if (!simulation.complete) {
@@ -306,7 +308,7 @@ PlanResult MakePlan(prolog::EnginePool& engines, const rdf::View& view, const st
   plan.environment_version = options.environment_version;
   plan.match = result.match;
   if (!result.problems.empty()) return result;
-  Finish(view, options, UnorderedSteps(view, value), plan, result.problems);
+  Finish(view, options, UnorderedStates(value), plan, result.problems);
   if (result.problems.empty()) result.plan = std::move(plan);
   return result;
 }

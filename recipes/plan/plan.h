@@ -125,7 +125,7 @@ struct Plan {
   std::vector<std::string> notes;                   // for people: what was added or assumed
   std::vector<Setting> settings;    // the recipe's parameters and overridden constants, by name
   std::vector<Fluent> assumptions;  // what must be so at the start
-  std::vector<std::string> done;    // ids of states that a plan made anew leaves out
+  std::vector<std::string> done;    // ids of states of the plan that was, for one made anew
   std::vector<std::string> given;   // keys that those have created
   MatchReport match;
 };

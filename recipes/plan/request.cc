@@ -4,7 +4,6 @@
 #include <set>
 #include <vector>
 
-#include "base/error.h"
 #include "base/text.h"
 #include "ontology/rdf/vocabulary.h"
 
@@ -24,16 +23,12 @@ struct Candidates {
     std::vector<std::string>& those = by_fit[fit];
     if (std::find(those.begin(), those.end(), iri) == those.end()) those.emplace_back(iri);
   }
-  // Empty when there is none.
-  std::string Best(const std::string& name) const {
+  // Those that fit best; several when they fit equally well.
+  std::vector<std::string> Best() const {
     for (const std::vector<std::string>& those : by_fit) {
-      if (those.size() == 1) return those.front();
-      if (those.empty()) continue;
-      Error error(Code::kAmbiguous, "'" + name + "' may be <" + Join(those, ">, <") + ">");
-      error.WithHint("write the IRI");
-      throw error;
+      if (!those.empty()) return those;
     }
-    return "";
+    return {};
   }
 };
 
@@ -41,6 +36,12 @@ struct Meaning {
   Candidates classes;
   Candidates things;
 };
+
+Value Atoms(const std::vector<std::string>& texts) {
+  prolog::List atoms;
+  for (const std::string& text : texts) atoms.push_back(Value{Atom{text}});
+  return Value{std::move(atoms)};
+}
 
 // Everything that `names` (as written) may mean, found in one pass over the view.
 class Meanings {
@@ -59,8 +60,8 @@ class Meanings {
     FindLabelled();
   }
 
-  std::string Class(const std::string& name) const { return meanings_.at(name).classes.Best(name); }
-  std::string Thing(const std::string& name) const { return meanings_.at(name).things.Best(name); }
+  Value Classes(const std::string& name) const { return Atoms(meanings_.at(name).classes.Best()); }
+  Value Things(const std::string& name) const { return Atoms(meanings_.at(name).things.Best()); }
 
  private:
   void FindClassesAndThings() {
@@ -138,8 +139,8 @@ std::vector<std::string> Parts(const std::string& text) {
 
 Value Item(const Meanings& meanings, const std::string& text) {
   return Value{prolog::Dict{{"text", Value{Atom{text}}},
-                            {"class", Value{Atom{meanings.Class(text)}}},
-                            {"thing", Value{Atom{meanings.Thing(text)}}}}};
+                            {"classes", meanings.Classes(text)},
+                            {"things", meanings.Things(text)}}};
 }
 
 }  // namespace
@@ -158,8 +159,8 @@ Value ToGiven(const rdf::View& view, const std::map<std::string, std::string>& s
     for (const std::string& part : Parts(text)) items.push_back(Item(meanings, part));
     given.push_back(Value{prolog::Dict{{"name", Value{Atom{name}}},
                                        {"text", Value{Atom{text}}},
-                                       {"class", Value{Atom{meanings.Class(text)}}},
-                                       {"thing", Value{Atom{meanings.Thing(text)}}},
+                                       {"classes", meanings.Classes(text)},
+                                       {"things", meanings.Things(text)},
                                        {"items", Value{std::move(items)}}}});
   }
   return Value{std::move(given)};

@@ -10,9 +10,9 @@
 namespace lares::recipes {
 
 // What a written value may mean in `view`: for each name (and each part of a list, separated by
-// commas) the class and the individual that go by it, by IRI, local name or label. Throws
-// kAmbiguous with the candidates when several classes, or several individuals, go equally well by
-// one name. The Prolog form is a list of given{name, text, class, thing, items} (parameters.pl).
+// commas) the classes and the individuals that go by it, by IRI, else by local name, else by label;
+// several where they go by it equally well. The Prolog form is a list of given{name, text, classes,
+// things, items} (parameters.pl).
 prolog::Value ToGiven(const rdf::View& view, const std::map<std::string, std::string>& set);
 
 }  // namespace lares::recipes

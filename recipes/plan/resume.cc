@@ -44,6 +44,23 @@ std::string FirstOpen(const Plan& plan, const std::set<std::string>& done) {
   return id;
 }
 
+// A step that is done and lies on no loop is passed over where the plan still comes by it.
+void PassOver(Plan& plan, const std::set<std::string>& done) {
+  const Ways ways = WaysOf(plan);
+  std::map<std::string, std::string> next;  // of each that is passed over
+  for (const std::string& id : done) {
+    const std::map<std::string, std::string>& own = ways.at(id);
+    const auto on = own.find("succeeded");
+    if (on == own.end() || ReachableFrom(ways, on->second).count(id) > 0) continue;
+    next.emplace(id, on->second);
+  }
+  for (Transition& transition : plan.transitions) {
+    for (auto on = next.find(transition.to); on != next.end(); on = next.find(transition.to)) {
+      transition.to = on->second;
+    }
+  }
+}
+
 }  // namespace
 
 void Resume(Plan& plan, const std::string& from, const std::vector<std::string>& done) {
@@ -53,6 +70,7 @@ void Resume(Plan& plan, const std::string& from, const std::vector<std::string>&
   }
   plan.start =
       from.empty() ? FirstOpen(plan, {done.begin(), done.end()}) : SkillState(plan, from).id;
+  PassOver(plan, {done.begin(), done.end()});
   plan.done = done;
   plan.given.assign(given.begin(), given.end());
   const std::set<std::string> reached = ReachableFrom(WaysOf(plan), plan.start);

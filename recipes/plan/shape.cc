@@ -84,4 +84,13 @@ std::string KeyOf(std::string_view value) {
   return std::string(value.substr(1, value.size() - 2));
 }
 
+std::vector<const State*> Running(const Plan& plan, const State& state) {
+  if (state.kind != State::Kind::kParallel) return {&state};
+  std::vector<const State*> running;
+  for (const std::string& id : state.members) {
+    if (const State* member = FindState(plan, id)) running.push_back(member);
+  }
+  return running;
+}
+
 }  // namespace lares::recipes

@@ -19,6 +19,9 @@ std::set<std::string> ReachableFrom(const Ways& ways, const std::string& start);
 
 const State* FindState(const Plan& plan, const std::string& id);
 
+// What runs in a state: itself, or the members of a parallel one.
+std::vector<const State*> Running(const Plan& plan, const State& state);
+
 // The skill and parallel states in a row, when the plan is no more than that: each goes on to the
 // next on "succeeded", the last to a successful end, and everything else fails. Empty otherwise.
 std::vector<const State*> LinearSteps(const Plan& plan);

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/text.h"
+#include "base/xml_text.h"
 #include "robots/urdf/infer.h"
 
 namespace lares::urdf {
@@ -29,44 +30,6 @@ struct Row {
   double x() const { return kMargin + static_cast<double>(depth) * kIndent; }
   double middle() const { return kHead + (static_cast<double>(index) + 0.5) * kRowHeight; }
 };
-
-std::size_t Length(std::string_view text) {  // in code points
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-std::string Shortened(const std::string& text) {
-  if (Length(text) <= kMaxChars) return text;
-  std::size_t end = 0;
-  for (std::size_t count = 0; count < kMaxChars - 1; ++count) {
-    ++end;
-    while (end < text.size() && (text[end] & 0xC0) == 0x80) ++end;
-  }
-  return text.substr(0, end) + "…";
-}
-
-std::string Escaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += static_cast<unsigned char>(c) < 32 ? ' ' : c;
-    }
-  }
-  return escaped;
-}
 
 std::string Number(double value) {
   std::array<char, 32> text{};
@@ -141,8 +104,8 @@ std::vector<Row> MakeRows(const Model& model, const Body& body) {
 }
 
 std::string Text(double x, double y, const char* style, const std::string& text) {
-  return "<text x=\"" + Number(x) + "\" y=\"" + Number(y) + "\" " + style + ">" + Escaped(text) +
-         "</text>\n";
+  return "<text x=\"" + Number(x) + "\" y=\"" + Number(y) + "\" " + style + ">" +
+         EscapedXml(text, XmlUse::kText) + "</text>\n";
 }
 
 std::string EdgeSvg(const Row& row, const Row& parent, const Joint& joint) {
@@ -163,8 +126,8 @@ struct RowSvg {
 
 RowSvg BoxSvg(const Row& row, const Model& model) {
   const Link& link = model.links[At(row.link)];
-  const std::string name = Shortened(link.name);
-  const double width = static_cast<double>(Length(name)) * kCharWidth + 16;
+  const std::string name = Shortened(link.name, kMaxChars);
+  const double width = static_cast<double>(CodePoints(name)) * kCharWidth + 16;
   const std::string fill = row.marks.empty() ? "#ffffff" : row.marks.front().fill;
   RowSvg out;
   out.svg = "<rect x=\"" + Number(row.x()) + "\" y=\"" + Number(row.middle() - kBoxHeight / 2) +
@@ -173,7 +136,7 @@ RowSvg BoxSvg(const Row& row, const Model& model) {
             Text(row.x() + 8, row.middle() + 4, "class=\"l\"", name);
   double x = row.x() + width + 8;
   for (const Mark& mark : row.marks) {
-    const double mark_width = static_cast<double>(Length(mark.text)) * kSmallCharWidth + 12;
+    const double mark_width = static_cast<double>(CodePoints(mark.text)) * kSmallCharWidth + 12;
     out.svg += "<rect x=\"" + Number(x) + "\" y=\"" + Number(row.middle() - 8) + "\" width=\"" +
                Number(mark_width) + "\" height=\"16\" rx=\"8\" fill=\"" + mark.fill +
                "\" stroke=\"#5f6368\" stroke-width=\"0.6\"/>\n" +
@@ -181,9 +144,9 @@ RowSvg BoxSvg(const Row& row, const Model& model) {
     x += mark_width + 6;
   }
   if (link.parent_joint >= 0) {
-    const std::string joint = Shortened(model.joints[At(link.parent_joint)].name);
+    const std::string joint = Shortened(model.joints[At(link.parent_joint)].name, kMaxChars);
     out.svg += Text(x, row.middle() + 3.5, "class=\"s\" fill=\"#5f6368\"", joint);
-    x += static_cast<double>(Length(joint)) * kSmallCharWidth;
+    x += static_cast<double>(CodePoints(joint)) * kSmallCharWidth;
   }
   out.right = x;
   return out;
@@ -234,8 +197,9 @@ std::string ToSvg(const Model& model, const Kinematics&, const Body& body) {
   const std::string width = Number(right + kMargin);
   const std::string height =
       Number(kHead + static_cast<double>(rows.size()) * kRowHeight + kMargin);
-  const std::string title = Shortened(model.name) + ": " + std::to_string(model.links.size()) +
-                            " links, " + std::to_string(model.joints.size()) + " joints, " +
+  const std::string title = Shortened(model.name, kMaxChars) + ": " +
+                            std::to_string(model.links.size()) + " links, " +
+                            std::to_string(model.joints.size()) + " joints, " +
                             std::to_string(body.sensors.size()) + " sensors";
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
          "\" viewBox=\"0 0 " + width + " " + height +

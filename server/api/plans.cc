@@ -168,8 +168,9 @@ http::Response MakePlan(const http::Request& request, Context& context) {
                                            ? "text/plain; charset=utf-8"
                                            : format.media_type);
   response.headers.Set("Vary", "Accept");
-  response.body = Write(*answer.result.plan, format.name);
-  if (format.name == std::string("json")) {
+  if (format.name != std::string("json")) {
+    response.body = Write(*answer.result.plan, format.name);
+  } else {
     PlainJson plan = recipes::ToJson(*answer.result.plan);
     plan["package"] = ToJson(context.knowledge.MakePackage(asked, *answer.result.plan));
     response.body = plan.dump(2) + "\n";

@@ -109,7 +109,7 @@ void MakePlan(const PlanOptions& plan, const Options& options) {
     throw;
   }
   if (!plan.package.empty()) {
-    return SavePackage(remote, RequestBody(plan), response.body, plan.package, options);
+    return SavePackage(remote, response.body, plan.package, options);
   }
   if (plan.out.empty()) return Print(response.body);
   WriteFileAtomically(plan.out, response.body);

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/text.h"
+#include "recipes/plan/export.h"
 #include "server/cli/download.h"
 #include "server/cli/print.h"
 #include "server/cli/temporary_folder.h"
@@ -78,15 +79,6 @@ void SaveLayers(Remote& remote, Json& package, const fs::path& folder) {
   }
 }
 
-// The same plan as a behaviour tree: asked for the version that the package is of.
-std::string BehaviourTree(Remote& remote, Json request, const Json& package) {
-  const Json& environment = package.at("environment");
-  if (environment.is_object()) request["version"] = environment.at("version");
-  http::ClientRequest sent{"POST", "/v1/plans", {{"as", "bt-xml"}}, {}, request.dump()};
-  sent.headers.Set("Content-Type", "application/json");
-  return remote.Send(sent).body;
-}
-
 void PrintPackage(const Json& package, const std::string& out) {
   std::string text = "wrote " + out + "\n";
   for (const Json& model : package.at("object_models")) {
@@ -111,8 +103,8 @@ void CheckPackageFolder(const std::string& out) {
       .WithHint("name a folder that is new or empty");
 }
 
-void SavePackage(Remote& remote, const Json& request, const std::string& answer,
-                 const std::string& out, const Options& options) {
+void SavePackage(Remote& remote, const std::string& answer, const std::string& out,
+                 const Options& options) {
   CheckPackageFolder(out);
   Json plan = Json::parse(answer);
   Json package = plan.at("package");
@@ -127,7 +119,8 @@ void SavePackage(Remote& remote, const Json& request, const std::string& answer,
   SaveGrid(remote, package, folder);
   SaveLayers(remote, package, folder);
   WriteFileAtomically(folder / "plan.json", plan.dump(2) + "\n");
-  WriteFileAtomically(folder / "plan.xml", BehaviourTree(remote, request, package));
+  WriteFileAtomically(folder / "plan.xml",
+                      recipes::ToBehaviorTreeXml(recipes::PlanFromJson(nlohmann::json(plan))));
   WriteFileAtomically(folder / "package.json", package.dump(2) + "\n");
   CheckPackageFolder(out);  // nobody else filled it meanwhile
   PublishFolder(temporary.path(), target);

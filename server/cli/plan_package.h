@@ -14,10 +14,10 @@ using Json = nlohmann::ordered_json;
 // other fault.
 void CheckPackageFolder(const std::string& out);
 
-// `answer` is the server's JSON for `request`. Writes plan.json, plan.xml, package.json, models/,
+// `answer` is a plan as the server's JSON. Writes plan.json, plan.xml, package.json, models/,
 // grid/ and layers/ into `out`, which appears whole or not at all. Throws kConflict as above, kIo
 // for a file that arrived damaged, RemoteError.
-void SavePackage(Remote& remote, const Json& request, const std::string& answer,
-                 const std::string& out, const Options& options);
+void SavePackage(Remote& remote, const std::string& answer, const std::string& out,
+                 const Options& options);
 
 }  // namespace lares::cli

@@ -11,6 +11,7 @@
 #include "reasoner/owl/materialise.h"
 #include "recipes/skill/skill_template.h"
 #include "server/knowledge/knowledge.h"
+#include "server/knowledge/named_place.h"
 #include "server/knowledge/quarantine.h"
 #include "server/knowledge/refusal.h"
 #include "server/knowledge/state.h"
@@ -35,58 +36,6 @@ json ToJson(const rdf::Remark& remark) {
 
 std::string StemOf(const std::string& file_name) {
   return std::filesystem::path(file_name).filename().stem().string();
-}
-
-// Whether what stands before `at` on its line is no more than a prefix: a Turtle document begins to
-// describe something there.
-bool BeginsLine(std::string_view bytes, std::size_t at) {
-  const std::size_t line = at == 0 ? 0 : bytes.rfind('\n', at - 1) + 1;  // npos + 1 is 0
-  const std::string_view before = bytes.substr(line, at - line);
-  return before.ends_with(':') && before.find_first_of(" \t<\"") == std::string_view::npos;
-}
-
-// The first place of `name`, or the first at which it is described.
-std::size_t FindDescribed(std::string_view bytes, const std::string& name) {
-  const std::size_t first = bytes.find(name);
-  for (std::size_t at = first; at != std::string_view::npos; at = bytes.find(name, at + 1)) {
-    if (BeginsLine(bytes, at)) return at;
-  }
-  return first;
-}
-
-// Where a document says an IRI: whole, with a usual prefix, or by its local name.
-std::size_t FindNamed(std::string_view bytes, const std::string& iri) {
-  std::vector<std::string> forms{iri};
-  const std::string local(LocalName(iri));
-  for (const auto& [prefix, space] : {std::pair("owl:", rdf::kOwl), std::pair("rdfs:", rdf::kRdfs),
-                                      std::pair("rdf:", rdf::kRdf)}) {
-    if (iri.starts_with(space)) forms.push_back(prefix + local);
-  }
-  forms.push_back(local);
-  for (const std::string& form : forms) {
-    const std::size_t found = form.empty() ? std::string::npos : FindDescribed(bytes, form);
-    if (found != std::string::npos) return found;
-  }
-  return std::string::npos;
-}
-
-// Where the text first says one of the names in quotes or angle brackets of `sentence`: the place
-// of a fault that was found only after reading.
-Place PlaceOf(const std::string& sentence, std::string_view bytes, const std::string& source) {
-  for (std::size_t at = 0; at < sentence.size(); ++at) {
-    const char close = sentence[at] == '\'' ? '\'' : sentence[at] == '<' ? '>' : '\0';
-    if (close == '\0') continue;
-    const std::size_t end = sentence.find(close, at + 1);
-    if (end == std::string::npos) break;
-    const std::size_t found = FindNamed(bytes, sentence.substr(at + 1, end - at - 1));
-    at = end;
-    if (found == std::string_view::npos) continue;
-    const std::string_view before = bytes.substr(0, found);
-    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-    const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
-    return {source, static_cast<int>(line), static_cast<int>(found - line_start) + 1};
-  }
-  return {source, 0, 0};
 }
 
 json ToJson(const recipes::Declared& declared) {
@@ -455,6 +404,12 @@ void Knowledge::Remove(DocumentKind kind, const std::string& id) {
     state_->changes.Notify();
     return;
   }
+  RemoveFromCatalogue(kind, id);
+  state_->changes.Notify();
+  if (kind == DocumentKind::kSkillTemplate) state_->overlays.Wait();
+}
+
+void Knowledge::RemoveFromCatalogue(DocumentKind kind, const std::string& id) {
   const std::lock_guard lock(state_->ontology_mutex);
   state_->store.DeleteDocument(kind, id);
   const std::string graph_name = GraphName(kind, id);
@@ -464,8 +419,6 @@ void Knowledge::Remove(DocumentKind kind, const std::string& id) {
   for (const auto& [other_id, graph] : state_->stored_graphs) stored.push_back(graph);
   const auto before = state_->catalogue();
   state_->Publish(MakeCatalogue(state_->own, stored, before->generation + 1, before.get()));
-  state_->changes.Notify();
-  if (kind == DocumentKind::kSkillTemplate) state_->overlays.Wait();
 }
 
 PutAnswer Knowledge::Release(const std::string& quarantine_id, bool editor) {

@@ -264,12 +264,16 @@ class Knowledge {
 
  private:
   struct State;
+  struct Asked;  // a plan request, understood
 
   PutAnswer PutOntology(const PutRequest& request, const rdf::Graph& graph,
                         const rdf::Document& content);
-  void AddOtherRobots(const PlanRequest& request, PlanAnswer& answer);
-  // The classes of things that a request gives as values.
-  std::vector<recipes::Resource> ObjectsAskedFor(const PlanRequest& request);
+  RobotsAnswer RankRobots(const Asked& asked);
+  void AddOtherRobots(const Asked& asked, PlanAnswer& answer);
+  void RemoveFromCatalogue(store::DocumentKind kind, const std::string& id);
+  Asked UnderstandTask(const PlanRequest& request);  // all of it but the robot
+  Asked Understand(const PlanRequest& request);
+  recipes::MatchReport MatchTask(const Asked& asked);
   std::shared_ptr<const PlaceTables> FindPrior(const std::string& name);
 
   std::unique_ptr<State> state_;

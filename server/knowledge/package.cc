@@ -90,6 +90,15 @@ std::string KeyOf(const store::LayerInfo& layer, const robots::Clearance& body) 
   return layer.blob.sha256 + " " + text;
 }
 
+// What is wrong with the layer itself, and will be again; all else is a fault of the moment.
+bool IsOfTheLayer(const Error& error) {
+  return error.code() == Code::kInvalid || error.code() == Code::kTooLarge;
+}
+
+bool HasMap(const store::EnvironmentVersion& version) {
+  return FindLayer(version, "octomap") != nullptr || FindLayer(version, "grid") != nullptr;
+}
+
 // The version has one of the two layers.
 RobotGrid MakeGrid(const store::Store& store, const store::EnvironmentVersion& version,
                    const robots::Clearance& body) {
@@ -99,7 +108,7 @@ RobotGrid MakeGrid(const store::Store& store, const store::EnvironmentVersion& v
   try {
     return FromOctomap(store, *octomap, body);
   } catch (const Error& error) {
-    if (grid == nullptr) throw;
+    if (grid == nullptr || !IsOfTheLayer(error)) throw;
     return FromGrid(store, *grid, body,
                     "the octomap layer cannot be cut (" + error.FullMessage() + ")");
   }
@@ -115,15 +124,16 @@ std::string KeyOf(const store::EnvironmentVersion& version, const robots::Cleara
   return key;
 }
 
+std::string WithoutMap(const store::EnvironmentVersion& version) {
+  return "version " + std::to_string(version.number) + " of '" + version.environment +
+         "' has neither an octomap nor a grid layer";
+}
+
 // Throws kNotFound when the version has neither layer, or as making the grid does.
 std::shared_ptr<const RobotGrid> GridFor(RobotGrids& grids, const store::Store& store,
                                          const store::EnvironmentVersion& version,
                                          const robots::Clearance& body) {
-  if (FindLayer(version, "octomap") == nullptr && FindLayer(version, "grid") == nullptr) {
-    throw Error(Code::kNotFound, "version " + std::to_string(version.number) + " of '" +
-                                     version.environment +
-                                     "' has neither an octomap nor a grid layer");
-  }
+  if (!HasMap(version)) throw Error(Code::kNotFound, WithoutMap(version));
   return grids.Get(KeyOf(version, body), [&] { return MakeGrid(store, version, body); });
 }
 
@@ -326,23 +336,24 @@ TaskPackage Knowledge::MakePackage(const PlanRequest& request, const recipes::Pl
   package.models = chooser.models();
   package.reasons = chooser.reasons();
 
-  if (!version) {
-    package.no_grid = "the plan was made for no environment";
-    package.reasons.push_back("there is no grid: " + package.no_grid);
+  const auto without_grid = [&](const std::string& why) {
+    package.no_grid = why;
+    package.reasons.push_back("there is no grid: " + why);
     return package;
-  }
+  };
+  if (!version) return without_grid("the plan was made for no environment");
   package.environment = version->environment;
   package.environment_version = version->number;
   package.layers = version->layers;
+  if (!HasMap(*version)) return without_grid(WithoutMap(*version));
   const robots::Clearance body = robots::ClearanceOf(robots::ReadRobotBody(view, robot.target_iri));
   try {
     package.grid = GridFor(state_->robot_grids, state_->store, *version, body);
     Append(package.reasons, package.grid->reasons);
     Append(package.reasons, body.reasons);
   } catch (const Error& error) {
-    if (error.code() == Code::kInternal) throw;
-    package.no_grid = error.FullMessage();
-    package.reasons.push_back("there is no grid: " + package.no_grid);
+    if (!IsOfTheLayer(error)) throw;
+    return without_grid(error.FullMessage());
   }
   return package;
 }

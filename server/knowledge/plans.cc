@@ -5,17 +5,6 @@
 #include "server/knowledge/state.h"
 
 namespace lares::server {
-namespace {
-
-std::string OneTarget(const Knowledge::Resolved& resolved) {
-  if (resolved.target_iri.empty()) {
-    throw Error(Code::kNotFound, "'" + resolved.document.id + "' describes nothing to use");
-  }
-  return resolved.target_iri;
-}
-
-}  // namespace
-
 rdf::View Knowledge::ViewFor(const ViewRequest& request) {
   State::Stack stack;
   std::optional<store::DocumentInfo> robot, recipe;
@@ -40,10 +29,12 @@ std::vector<recipes::SkillTemplate> Knowledge::SkillTemplates() {
 }
 
 PlanAnswer Knowledge::MakePlan(const PlanRequest& request) {
-  const Resolved recipe = Resolve(store::DocumentKind::kRecipe, request.task);
-  const Resolved robot = Resolve(store::DocumentKind::kRobot, request.robot);
+  const Asked asked = Understand(request);
+  const recipes::MatchReport match = MatchTask(asked);
   recipes::PlanOptions options;
+  options.match = &match;
   options.strict = request.strict;
+  options.offers = asked.options.offers;
   for (const auto& [step, chosen] : request.templates) {
     options.templates[state_->aliases.Canonical(step)] = state_->aliases.Canonical(chosen);
   }
@@ -53,39 +44,33 @@ PlanAnswer Knowledge::MakePlan(const PlanRequest& request) {
   options.sequential = request.sequential;
   options.from = request.from;
   options.done = request.done;
-  State::Stack stack{&robot.document, &recipe.document, nullptr};
-  std::optional<store::EnvironmentVersion> environment;
-  if (!request.environment.empty()) {
+  State::Stack stack{&asked.robot.document, &asked.recipe.document, nullptr};
+  if (asked.environment) {
+    stack.environment = &*asked.environment;
+    options.environment = asked.environment->environment;
+    options.environment_version = asked.environment->number;
     const auto info = state_->store.FindEnvironment(request.environment);
-    environment = state_->store.GetVersion(request.environment, request.environment_version);
-    stack.environment = &*environment;
-    options.environment = environment->environment;
-    options.environment_version = environment->number;
     if (info) options.environment_iri = info->type_iri;
-    for (const store::LayerInfo& layer : environment->layers) options.layers.push_back(layer.name);
+    for (const store::LayerInfo& layer : asked.environment->layers) {
+      options.layers.push_back(layer.name);
+    }
   }
-  options.offers = state_->OffersFor(recipe.document, OneTarget(recipe), stack.environment,
-                                     ObjectsAskedFor(request));
-  const recipes::MatchReport match = MatchTask(request);
-  options.match = &match;
   PlanAnswer answer;
-  answer.result = recipes::MakePlan(state_->engines, state_->ViewOf(stack), OneTarget(recipe),
-                                    OneTarget(robot), options);
-  if (!answer.result.match.feasible) AddOtherRobots(request, answer);
+  answer.result = recipes::MakePlan(state_->engines, state_->ViewOf(stack), asked.recipe.target_iri,
+                                    asked.robot.target_iri, options);
+  if (!answer.result.match.feasible) AddOtherRobots(asked, answer);
   return answer;
 }
 
 // Who else could, and who nearly.
-void Knowledge::AddOtherRobots(const PlanRequest& request, PlanAnswer& answer) {
+void Knowledge::AddOtherRobots(const Asked& asked, PlanAnswer& answer) {
   constexpr std::size_t kNearest = 3;
-  const std::string asked = Resolve(store::DocumentKind::kRobot, request.robot).document.id;
-  const RobotsAnswer all =
-      RankRobots({request.task, request.environment, request.environment_version, request.strict});
+  const RobotsAnswer all = RankRobots(asked);
   for (const RobotRank& robot : all.robots) {
     if (robot.ranked.feasible) {
       answer.capable_robots.push_back(robot.ranked.robot);
       answer.capable_robots.back().label = robot.document;
-    } else if (robot.document == asked) {
+    } else if (robot.document == asked.robot.document.id) {
       continue;  // what it lacks is the answer itself
     } else if (robot.ranked.cost && answer.nearest_robots.size() < kNearest) {
       answer.nearest_robots.push_back(robot);

@@ -2,6 +2,8 @@
 #include "server/knowledge/ranking.h"
 
 #include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "base/aside.h"
@@ -33,6 +35,78 @@ rdf::View ViewOver(const CatalogueState& catalogue, const std::vector<OverlaySou
   return view;
 }
 
+void RequireTarget(const Knowledge::Resolved& resolved) {
+  if (!resolved.target_iri.empty()) return;
+  throw Error(Code::kNotFound, "'" + resolved.document.id + "' describes nothing to use");
+}
+
+// The classes of things that a plan request gives as values: of the parameters that the recipe
+// declares as classes, and of inputs that are classes in some skill template.
+class ObjectsAskedFor {
+ public:
+  ObjectsAskedFor(const CatalogueState& catalogue, const store::DocumentInfo& recipe,
+                  const rdf::AliasTable& aliases)
+      : catalogue_(catalogue), aliases_(aliases) {
+    const auto details = nlohmann::json::parse(recipe.details_json, nullptr, false);
+    if (!details.is_object()) return;
+    for (const auto& task : details.value("tasks", nlohmann::json::array())) {
+      for (const auto& parameter : task.value("parameters", nlohmann::json::array())) {
+        types_[parameter.value("name", "")] = parameter.value("type", "");
+      }
+    }
+  }
+
+  // What is no class, or one of several, is left out: planning says so where it matters.
+  void Add(const std::string& name, const std::string& value,
+           std::vector<recipes::Resource>& classes) const {
+    if (!IsClass(name)) return;
+    for (const std::string& part : Split(value, ',')) AddClass(std::string(Trim(part)), classes);
+  }
+
+ private:
+  bool IsClass(const std::string& name) const {
+    const auto declared = types_.find(name);
+    if (declared != types_.end()) {
+      return declared->second == "class" || declared->second == "class_list";
+    }
+    return IsClassInput(name.substr(name.rfind('.') + 1));  // npos + 1 is 0
+  }
+  bool IsClassInput(const std::string& name) const {
+    const rdf::View& view = catalogue_.view;
+    const rdf::Dictionary& dictionary = view.dictionary();
+    const auto named = dictionary.FindIri(std::string(rdf::kLares) + "parameterName");
+    const auto typed = dictionary.FindIri(std::string(rdf::kLares) + "parameterType");
+    if (!named || !typed) return false;
+    bool found = false;
+    view.ForEach({rdf::kAnyTerm, *named, rdf::kAnyTerm}, [&](const rdf::Triple& triple) {
+      if (dictionary.Get(triple.object).value != name) return true;
+      for (const rdf::TermId type : view.Objects(triple.subject, *typed)) {
+        found = found || dictionary.Get(type).value == "class";
+      }
+      return !found;
+    });
+    return found;
+  }
+  void AddClass(const std::string& name, std::vector<recipes::Resource>& classes) const {
+    const rdf::View& view = catalogue_.view;
+    const rdf::Dictionary& dictionary = view.dictionary();
+    const auto sub_class = dictionary.FindIri(std::string(rdf::kRdfs) + "subClassOf");
+    const auto object = dictionary.FindIri(std::string(rdf::kLares) + "PhysicalObject");
+    auto term = dictionary.FindIri(aliases_.Canonical(name));
+    const auto named = catalogue_.classes_by_name.find(ToLower(name));
+    if (named != catalogue_.classes_by_name.end() && named->second.size() == 1) {
+      term = named->second.front();
+    }
+    if (term && sub_class && object && view.Contains({*term, *sub_class, *object})) {
+      classes.push_back(Describe(view, *term));
+    }
+  }
+
+  const CatalogueState& catalogue_;
+  const rdf::AliasTable& aliases_;
+  std::map<std::string, std::string> types_;  // of the parameters that the recipe declares
+};
+
 }  // namespace
 
 std::shared_ptr<const recipes::Needs> Knowledge::State::NeedsOf(
@@ -60,84 +134,66 @@ std::shared_ptr<const recipes::RobotProfile> Knowledge::State::ProfileOf(
 }
 
 std::vector<recipes::Offer> Knowledge::State::OffersFor(
-    const store::DocumentInfo& recipe, const std::string& task_iri,
-    const store::EnvironmentVersion* environment,
-    const std::vector<recipes::Resource>& also_sought) {
-  const auto base = catalogue();
-  std::vector<recipes::Resource> sought = NeedsOf(base, recipe, task_iri)->sought;
-  sought.insert(sought.end(), also_sought.begin(), also_sought.end());
-  std::vector<recipes::Offer> offers = ModelOffers(store, base->view, sought);
+    const CatalogueState& base, std::vector<recipes::Resource> sought,
+    const store::EnvironmentVersion* environment) {
+  std::vector<recipes::Offer> offers = ModelOffers(store, base.view, sought);
   if (environment == nullptr) return offers;
   std::vector<recipes::Offer> maps = MapOffers(*environment);
   std::move(maps.begin(), maps.end(), std::back_inserter(offers));
   return offers;
 }
 
-std::vector<recipes::Resource> Knowledge::ObjectsAskedFor(const PlanRequest& request) {
-  const auto catalogue = state_->catalogue();
-  const rdf::View& view = catalogue->view;
-  const rdf::Dictionary& dictionary = view.dictionary();
-  const auto sub_class = dictionary.FindIri(std::string(rdf::kRdfs) + "subClassOf");
-  const auto object = dictionary.FindIri(std::string(rdf::kLares) + "PhysicalObject");
-  std::vector<recipes::Resource> classes;
-  if (!sub_class || !object) return classes;
-  for (const auto& [name, value] : request.set) {
-    // No class, or one of several: planning says so where it matters.
-    auto term = dictionary.FindIri(state_->aliases.Canonical(value));
-    const auto named = catalogue->classes_by_name.find(ToLower(value));
-    if (named != catalogue->classes_by_name.end() && named->second.size() == 1) {
-      term = named->second.front();
-    }
-    if (term && view.Contains({*term, *sub_class, *object})) {
-      classes.push_back(Describe(view, *term));
-    }
+Knowledge::Asked Knowledge::UnderstandTask(const PlanRequest& request) {
+  Asked asked;
+  asked.recipe = Resolve(DocumentKind::kRecipe, request.task);
+  RequireTarget(asked.recipe);
+  if (!request.environment.empty()) {
+    asked.environment = state_->store.GetVersion(request.environment, request.environment_version);
   }
-  return classes;
+  asked.base = state_->catalogue();
+  asked.needs = state_->NeedsOf(asked.base, asked.recipe.document, asked.recipe.target_iri);
+  std::vector<recipes::Resource> sought = asked.needs->sought;
+  ObjectsAskedFor given(*asked.base, asked.recipe.document, state_->aliases);
+  for (const auto& [name, value] : request.set) given.Add(name, value, sought);
+  asked.options.strict = request.strict;
+  asked.options.offers = state_->OffersFor(*asked.base, std::move(sought),
+                                           asked.environment ? &*asked.environment : nullptr);
+  return asked;
+}
+
+Knowledge::Asked Knowledge::Understand(const PlanRequest& request) {
+  Asked asked = UnderstandTask(request);
+  asked.robot = Resolve(DocumentKind::kRobot, request.robot);
+  RequireTarget(asked.robot);
+  return asked;
+}
+
+recipes::MatchReport Knowledge::MatchTask(const Asked& asked) {
+  const auto profile = state_->ProfileOf(asked.base, asked.robot.document, asked.robot.target_iri);
+  return recipes::Match(*asked.needs, *profile, asked.options);
 }
 
 recipes::MatchReport Knowledge::MatchTask(const PlanRequest& request) {
-  const Resolved recipe = Resolve(DocumentKind::kRecipe, request.task);
-  const Resolved robot = Resolve(DocumentKind::kRobot, request.robot);
-  for (const Resolved* one : {&recipe, &robot}) {
-    if (!one->target_iri.empty()) continue;
-    throw Error(Code::kNotFound, "'" + one->document.id + "' describes nothing to use");
-  }
-  std::optional<store::EnvironmentVersion> environment;
-  if (!request.environment.empty()) {
-    environment = state_->store.GetVersion(request.environment, request.environment_version);
-  }
-  const auto base = state_->catalogue();
-  recipes::MatchOptions options;
-  options.strict = request.strict;
-  options.offers =
-      state_->OffersFor(recipe.document, recipe.target_iri, environment ? &*environment : nullptr,
-                        ObjectsAskedFor(request));
-  return recipes::Match(*state_->NeedsOf(base, recipe.document, recipe.target_iri),
-                        *state_->ProfileOf(base, robot.document, robot.target_iri), options);
+  return MatchTask(Understand(request));
 }
 
 RobotsAnswer Knowledge::RankRobots(const RobotsRequest& request) {
-  const Resolved recipe = Resolve(DocumentKind::kRecipe, request.task);
-  if (recipe.target_iri.empty()) {
-    throw Error(Code::kNotFound, "'" + recipe.document.id + "' describes nothing to use");
-  }
-  std::optional<store::EnvironmentVersion> environment;
-  if (!request.environment.empty()) {
-    environment = state_->store.GetVersion(request.environment, request.environment_version);
-  }
-  recipes::MatchOptions options;
-  options.strict = request.strict;
-  options.offers =
-      state_->OffersFor(recipe.document, recipe.target_iri, environment ? &*environment : nullptr);
-  const auto base = state_->catalogue();
-  const auto needs = state_->NeedsOf(base, recipe.document, recipe.target_iri);
+  PlanRequest task;
+  task.task = request.task;
+  task.environment = request.environment;
+  task.environment_version = request.environment_version;
+  task.strict = request.strict;
+  return RankRobots(UnderstandTask(task));
+}
+
+RobotsAnswer Knowledge::RankRobots(const Asked& asked) {
   RobotsAnswer answer;
-  answer.task = needs->task;
+  answer.task = asked.needs->task;
   for (const store::DocumentInfo& document : state_->store.ListDocuments(DocumentKind::kRobot)) {
     for (const store::DocumentName& name : document.names) {
       if (name.kind != "id") continue;
-      const auto profile = state_->ProfileOf(base, document, name.target);
-      answer.robots.push_back({document.id, recipes::Rank(*needs, *profile, options)});
+      const auto profile = state_->ProfileOf(asked.base, document, name.target);
+      answer.robots.push_back({document.id, recipes::Rank(*asked.needs, *profile, asked.options)});
     }
   }
   std::sort(answer.robots.begin(), answer.robots.end(),

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <shared_mutex>
 #include <string>
 #include <vector>
@@ -94,15 +95,24 @@ struct Knowledge::State {
   std::shared_ptr<const recipes::RobotProfile> ProfileOf(
       const std::shared_ptr<const CatalogueState>& base, const store::DocumentInfo& robot,
       const std::string& robot_iri);
-  // What the store can give a robot for this task: models of what it looks for (with what was asked
-  // for beside), and maps of `environment` (null for none).
-  std::vector<recipes::Offer> OffersFor(const store::DocumentInfo& recipe,
-                                        const std::string& task_iri,
-                                        const store::EnvironmentVersion* environment,
-                                        const std::vector<recipes::Resource>& also_sought = {});
+  // What the store can give a robot: models of what is `sought`, and maps of `environment` (null
+  // for none).
+  std::vector<recipes::Offer> OffersFor(const CatalogueState& base,
+                                        std::vector<recipes::Resource> sought,
+                                        const store::EnvironmentVersion* environment);
   MatchMemory match_memory;
 
   Overlays overlays{64, [this] { changes.Notify(); }};  // last: its thread uses what stands above
+};
+
+// Documents and environment that a plan request names, and what the store offers for it.
+struct Knowledge::Asked {
+  Resolved recipe;
+  Resolved robot;
+  std::optional<store::EnvironmentVersion> environment;
+  std::shared_ptr<const CatalogueState> base;
+  std::shared_ptr<const recipes::Needs> needs;
+  recipes::MatchOptions options;
 };
 
 // Name of a document's graph in every view: "recipe:find-bottle".

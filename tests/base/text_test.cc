@@ -1,5 +1,7 @@
 #include "base/text.h"
 
+#include "base/xml_text.h"
+
 #include <gtest/gtest.h>
 
 namespace lares {
@@ -34,6 +36,25 @@ TEST(TextTest, LocalNameIsWhatPeopleSay) {
   EXPECT_EQ(LocalName("http://a/b/Cup"), "Cup");
   EXPECT_EQ(LocalName("Cup"), "Cup");
   EXPECT_EQ(LocalName("http://a/b#"), "http://a/b#");
+}
+
+TEST(TextTest, ShorteningCountsCodePointsAndCutsNone) {
+  EXPECT_EQ(CodePoints("größe"), 5U);
+  EXPECT_EQ(Shortened("größe", 5), "größe");
+  EXPECT_EQ(Shortened("größe", 4), "grö…");
+  EXPECT_EQ(Shortened("größe", 1), "…");
+  EXPECT_EQ(Shortened("", 3), "");
+}
+
+TEST(XmlTextTest, AReaderGetsTheTextBack) {
+  EXPECT_EQ(EscapedXml("a<b>&\"c\n\t\r", XmlUse::kAttribute),
+            "a&lt;b&gt;&amp;&quot;c&#10;&#9;&#13;");
+  EXPECT_EQ(EscapedXml("a<b>&\"c\n\t\r", XmlUse::kText), "a&lt;b&gt;&amp;\"c\n\t&#13;");
+  EXPECT_EQ(EscapedXml("a\x01"
+                       "b",
+                       XmlUse::kText),
+            "a\xEF\xBF\xBD"
+            "b");
 }
 
 }  // namespace

@@ -140,10 +140,22 @@ TEST(Simulation, OppositeNeedsAtTheStartAreAProblem) {
               ElementsAre(HasSubstr("another step needs at the start that it is not so")));
 }
 
-TEST(Simulation, WhatIsHeldAtTheStartCounts) {
+TEST(Simulation, WhatEarlierStepsBroughtAboutMustNotContradictTheStart) {
   const Plan plan = Row({Skill("look", {kRuns}, {})});
-  EXPECT_THAT(Simulate(plan, {kRuns}).assumptions, IsEmpty());
+  EXPECT_THAT(Simulate(plan, {kRuns}).problems, IsEmpty());
+  EXPECT_THAT(Simulate(plan, {kRuns}).assumptions, ElementsAre(kRuns));
   EXPECT_THAT(Simulate(plan, {kStopped}).problems, ElementsAre(HasSubstr("'look'")));
+  EXPECT_THAT(Simulate(plan, {kStopped, kRuns}).problems, IsEmpty()) << "the later one counts";
+}
+
+TEST(Simulation, AnyArgumentIsNotNone) {
+  const Fluent plain{"holding", "", true};
+  const Fluent none_of_all{"holding", "*", false};
+  EXPECT_FALSE(Touches(plain, none_of_all));
+  EXPECT_THAT(
+      Simulate(Row({Skill("drop", {}, {{"succeeded", none_of_all}}), Skill("use", {plain}, {})}))
+          .problems,
+      IsEmpty());
 }
 
 TEST(Simulation, StepsSideBySideNeedAndBringAboutTogether) {

@@ -52,7 +52,7 @@ bool CanStart(const State& state, const Facts& facts) {
   return true;
 }
 
-std::vector<const State*> Running(const Plan& plan, const State& state) {
+std::vector<const State*> RunningIn(const Plan& plan, const State& state) {
   if (state.kind != State::Kind::kParallel) return {&state};
   std::vector<const State*> running;
   for (const std::string& id : state.members) running.push_back(recipes::FindState(plan, id));
@@ -83,7 +83,7 @@ std::optional<std::size_t> ShortestWay(const Plan& plan) {
     const std::size_t length = lengths.at({id, facts});
     if (state.success) return length;
     if (state.kind == State::Kind::kEnd) continue;
-    const auto running = Running(plan, state);
+    const auto running = RunningIn(plan, state);
     bool can_start = true;
     for (const State* each : running) can_start = can_start && CanStart(*each, facts);
     if (!can_start) continue;

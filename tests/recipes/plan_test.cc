@@ -1,7 +1,7 @@
 // Plans made from recipes and robots of our own.
 #include <gmock/gmock.h>
 
-#include "tests/recipes/world.h"
+#include "tests/recipes/plan_maker.h"
 
 namespace lares::testing {
 namespace {
@@ -33,10 +33,7 @@ std::string ARobot() {
 
 PlanResult Make(const std::string& recipe, const PlanOptions& options = {},
                 const std::string& robot = ARobot(), const std::string& more = "") {
-  World world = Catalogue();
-  if (!more.empty()) world.Put("more", more);
-  world.Put("robot", robot).Put("recipe", recipe);
-  return recipes::MakePlan(Engines(), world.view(), Example("Task"), Example("robot"), options);
+  return MakePlanOf(recipe, options, robot, more);
 }
 
 std::vector<std::string> Ways(const Plan& plan) {
@@ -48,26 +45,6 @@ std::vector<std::string> Ways(const Plan& plan) {
   }
   return texts;
 }
-
-std::vector<std::string> Ids(const Plan& plan) {
-  std::vector<std::string> ids;
-  for (const auto& state : plan.states) ids.push_back(state.id);
-  return ids;
-}
-
-const Parameter& Input(const Plan& plan, const std::string& state_id, const std::string& name) {
-  static const Parameter kNone;
-  for (const auto& state : plan.states) {
-    for (const auto& input : state.inputs) {
-      if (state.id == state_id && input.name == name) return input;
-    }
-  }
-  ADD_FAILURE() << state_id << " has no input " << name;
-  return kNone;
-}
-
-#define ASSERT_PLAN(result) \
-  ASSERT_TRUE((result).plan) << ::testing::PrintToString((result).problems)
 
 std::string Search() {
   return StateMachine({{"infer", kInfer}, {"next", kNext}, {"look", kLook}, {"stop", kGo}}, "infer",

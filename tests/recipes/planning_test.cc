@@ -3,8 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "base/error.h"
-#include "recipes/skill/skill_template.h"
-#include "tests/recipes/world.h"
+#include "tests/recipes/plan_maker.h"
 
 namespace lares::testing {
 namespace {
@@ -43,39 +42,8 @@ void ChooseLocateObject(const std::string& recipe, PlanOptions& options) {
 PlanResult Make(const std::string& recipe, PlanOptions options = {},
                 const std::string& robot = ARobot(), const std::string& more = "") {
   ChooseLocateObject(recipe, options);
-  World world = Catalogue();
-  if (!more.empty()) world.Put("more", more);
-  world.Put("robot", robot).Put("recipe", recipe);
-  return recipes::MakePlan(Engines(), world.view(), Example("Task"), Example("robot"), options);
+  return MakePlanOf(recipe, options, robot, more);
 }
-
-const State& StateOf(const Plan& plan, const std::string& id) {
-  static const State kNone;
-  for (const State& state : plan.states) {
-    if (state.id == id) return state;
-  }
-  ADD_FAILURE() << "no state " << id;
-  return kNone;
-}
-
-const Parameter& Input(const Plan& plan, const std::string& id, const std::string& name) {
-  static const Parameter kNone;
-  for (const Parameter& input : StateOf(plan, id).inputs) {
-    if (input.name == name) return input;
-  }
-  ADD_FAILURE() << id << " has no input " << name;
-  return kNone;
-}
-
-std::vector<std::string> Ids(const Plan& plan) {
-  std::vector<std::string> ids;
-  for (const State& state : plan.states) ids.push_back(state.id);
-  return ids;
-}
-
-#define ASSERT_PLAN(result)                                                 \
-  ASSERT_TRUE((result).plan) << ::testing::PrintToString((result).problems) \
-                             << ::testing::PrintToString(Labels((result).match.smallest_repair))
 
 const std::string kLookFor = "lares:Perceiving , " + Some("lares:detectedObject", ":object");
 const std::string kObject =
@@ -172,6 +140,33 @@ TEST(Parameters, ARecipeThatNestsItselfByInheritanceIsRefused) {
   EXPECT_THAT(tasks[0].problems, Contains(HasSubstr("would never end")));
 }
 
+TEST(Parameters, EveryPartOfAListMustBeOfTheKind) {
+  const std::string recipe =
+      PartialOrder({{"a", "lares:VisitingPlaces , " + Has("lares:toLocation", ":places")}}, {}) +
+      ":places a lares:RecipeParameter , lares:Point2D ; lares:parameterOf :Task ; "
+      "lares:parameterName \"places\" ; lares:parameterType \"designator_list\" ; "
+      "lares:valuesBelow lares:Point2D . :p a lares:Point2D . :q a lares:Cup .\n";
+  ASSERT_PLAN(Make(recipe, Set({{"places", "p"}})));
+  EXPECT_THAT(Make(recipe, Set({{"places", "p,q"}})).problems,
+              ElementsAre(HasSubstr("must be a kind of")));
+}
+
+TEST(Parameters, ANameOfSeveralThingsIsNoFaultWhereAClassIsMeant) {
+  const std::string things = Turtle(
+      ":cup1 a lares:Cup ; rdfs:label \"cup\" . "
+      ":cup2 a lares:Cup ; rdfs:label \"cup\" .");
+  const std::string recipe = PartialOrder({{"a", kLookFor}}, {}) + kObject;
+  const auto result = Make(recipe, Set({{"object", "cup"}}), ARobot(), things);
+  ASSERT_PLAN(result);
+  EXPECT_EQ(Input(*result.plan, "a", "object_class").value, Lares("Cup"));
+  const std::string to =
+      PartialOrder(
+          {{"a", "lares:Translation-LocationChange , " + Has("lares:toLocation", ":here")}}, {}) +
+      ":here a lares:Point2D .\n";
+  EXPECT_THAT(Make(to, Set({{"target_pose", "cup"}}), ARobot(), things).problems,
+              ElementsAre(AllOf(HasSubstr("cup1"), HasSubstr("cup2"), HasSubstr("write the IRI"))));
+}
+
 // -- other values than the recipe's --
 
 const std::string kCup = "lares:Perceiving , " + Some("lares:detectedObject", "lares:Cup");
@@ -205,6 +200,10 @@ TEST(Overrides, NumbersAreCheckedWithTheirUnits) {
   EXPECT_THAT(value("2.5 min"), HasSubstr("a finite number in s"));
   EXPECT_THAT(value("nan"), HasSubstr("a finite number in s"));
   EXPECT_THAT(value("1e999"), HasSubstr("a finite number in s"));
+  EXPECT_EQ(value(".5"), ".5");
+  for (const char* of_prolog : {"0x10", "1_000", "0'a", "1r3"}) {
+    EXPECT_THAT(value(of_prolog), HasSubstr("a finite number in s"));
+  }
 }
 
 TEST(Overrides, APlaceMayBeAPose) {
@@ -258,6 +257,19 @@ TEST(SideBySide, WhatIsOrderedStaysSo) {
   EXPECT_THAT(Ids(*result.plan), ElementsAre("go", "open", "succeeded", "failed"));
 }
 
+TEST(SideBySide, TwoNestingsOfOneRecipeKeepTheirOrder) {
+  // Inside each, a and b are unordered; of the two nestings the first comes first.
+  const std::string inner =
+      ":Inner rdfs:subClassOf lares:PurposefulAction , " + Some("lares:subAction", ":say") + " , " +
+      Some("lares:subAction", ":wait") + " . :say rdfs:subClassOf lares:Speaking , " +
+      Has("lares:textSpoken", "\"now\"") + " . :wait rdfs:subClassOf lares:Waiting .\n";
+  const auto result =
+      Make(PartialOrder({{"n1", ":Inner"}, {"n2", ":Inner"}}, {{"n1", "n2"}}) + inner);
+  ASSERT_PLAN(result);
+  EXPECT_THAT(StateOf(*result.plan, "parallel-1").members, ElementsAre("n1--say", "n1--wait"));
+  EXPECT_THAT(StateOf(*result.plan, "parallel-2").members, ElementsAre("n2--say", "n2--wait"));
+}
+
 TEST(SideBySide, WhoAsksForARowGetsOne) {
   PlanOptions options;
   options.sequential = true;
@@ -308,8 +320,43 @@ TEST(MadeAnew, WhatIsDoneIsLeftOutAndStillCounts) {
   ASSERT_PLAN(result);
   EXPECT_EQ(result.plan->start, "b");
   EXPECT_THAT(Ids(*result.plan), ElementsAre("b", "c", "succeeded", "failed"));
-  EXPECT_THAT(result.plan->assumptions, IsEmpty());  // vision was started
+  ASSERT_THAT(result.plan->assumptions, SizeIs(1));  // what was started must run on
+  EXPECT_EQ(ToText(result.plan->assumptions[0]), "vision_running");
   EXPECT_THAT(result.plan->done, ElementsAre("a"));
+}
+
+TEST(MadeAnew, WhatWasDoneOutOfOrderIsPassedOver) {
+  const std::string recipe = PartialOrder({{"go", kGo}, {"open", kOpen}}, {}) + kHere;
+  PlanOptions options;
+  options.done = {"open"};
+  const auto result = Make(recipe, options);
+  ASSERT_PLAN(result);
+  EXPECT_THAT(Ids(*result.plan), ElementsAre("go", "succeeded", "failed"));
+}
+
+TEST(MadeAnew, TheOrderOfThePlanCountsAndNotThatOfTheRequest) {
+  const std::string recipe = PartialOrder(
+      {{"a", "lares:StartVisionModules"}, {"b", "lares:StopVisionModules"}, {"c", kCup}},
+      {{"a", "b"}, {"b", "c"}});
+  for (const auto& done : {std::vector<std::string>{"a", "b"}, {"b", "a"}}) {
+    PlanOptions options;
+    options.done = done;
+    EXPECT_THAT(Make(recipe, options).problems,
+                ElementsAre(HasSubstr("which is not so after what is done")));
+  }
+}
+
+TEST(MadeAnew, WhatLiesOnALoopIsDoneAgain) {
+  const std::string recipe =
+      StateMachine({{"go", kGo}, {"look", "lares:CheckingWhetherConditionObtains , " + kCup}}, "go",
+                   {"look"}, {{"go", "COMPLETED_OK", "look"}, {"look", "CONDITION_FALSE", "go"}}) +
+      kHere;
+  PlanOptions options;
+  options.done = {"go"};
+  const auto result = Make(recipe, options);
+  ASSERT_PLAN(result);
+  EXPECT_EQ(result.plan->start, "look");
+  EXPECT_THAT(Ids(*result.plan), Contains("go"));
 }
 
 TEST(MadeAnew, ItCanBeginAnywhere) {
@@ -374,6 +421,66 @@ TEST(TaskFailed, ATransitionThereEndsThePlanWithoutSuccess) {
   EXPECT_TRUE(found);
 }
 
+std::string To(const Plan& plan, const std::string& from, const std::string& outcome) {
+  for (const auto& transition : plan.transitions) {
+    if (transition.from == from && transition.outcome == outcome) return transition.to;
+  }
+  return "";
+}
+
+// ":Inner" says that it has failed when nothing is seen.
+const std::string kInner =
+    ":Inner rdfs:subClassOf lares:PurposefulAction , " + Some("lares:subAction", ":look") + " , " +
+    Some("lares:subAction", ":use") + " , " + Has("lares:taskStartState", ":look") + " , " +
+    Has("lares:taskEndState", ":use") + " , " + Has("lares:stateTransition", ":seen") + " , " +
+    Has("lares:stateTransition", ":unseen") +
+    " . :look rdfs:subClassOf lares:CheckingWhetherConditionObtains , " + kCup +
+    " . :use rdfs:subClassOf lares:Waiting . "
+    ":seen lares:fromState :look ; lares:causedBy lares:CONDITION_TRUE ; lares:toState :use . "
+    ":unseen lares:fromState :look ; lares:causedBy lares:CONDITION_FALSE ; "
+    "lares:toState lares:TaskFailed .\n";
+
+TEST(TaskFailed, OfANestedRecipeItLeadsWhereTheOuterOneSays) {
+  const auto result = Make(
+      StateMachine({{"inner", ":Inner"}, {"home", kGo}, {"help", "lares:Waiting"}}, "inner",
+                   {"home", "help"},
+                   {{"inner", "COMPLETED_OK", "home"}, {"inner", "COMPLETED_FAILED", "help"}}) +
+      kHere + kInner);
+  ASSERT_PLAN(result);
+  EXPECT_EQ(To(*result.plan, "look", "false"), "help");
+  EXPECT_EQ(To(*result.plan, "look", "failed"), "help") << "no exit of the inner recipe";
+  EXPECT_EQ(To(*result.plan, "use", "failed"), "help");
+  EXPECT_EQ(To(*result.plan, "use", "succeeded"), "home");
+}
+
+TEST(TaskFailed, OfANestedRecipeItIsTheEndWhereTheOuterOneSaysNothing) {
+  const auto result = Make(PartialOrder({{"inner", ":Inner"}}, {}) + kInner);
+  ASSERT_PLAN(result);
+  EXPECT_EQ(To(*result.plan, "look", "false"), "failed");
+}
+
+TEST(TaskFailed, ForTheResultOfANestedRecipesLastStep) {
+  const std::string check =
+      ":Check rdfs:subClassOf lares:PurposefulAction , " + Some("lares:subAction", ":look") +
+      " . :look rdfs:subClassOf lares:CheckingWhetherConditionObtains , " + kCup + " .\n";
+  const auto result =
+      Make(StateMachine({{"check", ":Check"}, {"home", kGo}}, "check", {"home"},
+                        {{"check", "CONDITION_TRUE", "home"}}) +
+           kHere + check + ":Task rdfs:subClassOf " + Has("lares:stateTransition", ":no") +
+           " . :no lares:fromState :check ; lares:causedBy lares:CONDITION_FALSE ; "
+           "lares:toState lares:TaskFailed .\n");
+  ASSERT_PLAN(result);
+  EXPECT_EQ(To(*result.plan, "look", "true"), "home");
+  EXPECT_EQ(To(*result.plan, "look", "false"), "failed");
+}
+
+TEST(Choices, AnAnswerForNoStepIsNamed) {
+  PlanOptions options;
+  options.templates["lok"] = "LocateObject";
+  EXPECT_THAT(Make(PartialOrder({{"a", kCup}}, {}), options).problems,
+              ElementsAre(HasSubstr("there is no step 'lok'")));
+}
+
 // -- the library --
 
 struct LibraryTask {
@@ -417,123 +524,6 @@ TEST(Library, NothingFoundIsNoSuccessOfFetchAndServe) {
     if (transition.outcome != "exhausted") continue;
     EXPECT_EQ(transition.to, "failed");
   }
-}
-
-// -- skill templates --
-
-std::vector<recipes::SkillTemplate> Templates(const std::string& body) {
-  World world = Catalogue();
-  world.Put("skills", Turtle(body));
-  return recipes::FindTemplates(Engines(), world.view(), "skills");
-}
-
-std::string ATemplate(const std::string& more,
-                      const std::string& outcomes =
-                          "lares:skillOutcome [ lares:outcomeName \"succeeded\" ; "
-                          "lares:meansResult lares:COMPLETED_OK ] ") {
-  return ":T a lares:SkillTemplate ; lares:forAction lares:Waiting ; lares:skillName \"Wait\" ; " +
-         more + (more.empty() ? "" : " ; ") + outcomes + ".\n";
-}
-
-TEST(SkillTemplates, OursAreSound) {
-  const auto all = recipes::FindTemplates(Engines(), Catalogue().view());
-  EXPECT_GE(all.size(), 15u);
-  for (const auto& each : all) EXPECT_THAT(each.problems, IsEmpty()) << each.iri.label;
-}
-
-TEST(SkillTemplates, ASoundOneIsDescribed) {
-  const auto found = Templates(ATemplate(
-      "lares:retryCount 2 ; lares:timeLimit_s 5 ; lares:notWithComponent lares:Camera ; "
-      "lares:precondition \"not busy\" ; lares:skillInput [ lares:parameterName \"for\" ; "
-      "lares:parameterType \"number\" ; lares:parameterUnit \"s\" ; "
-      "lares:valueFrom [ lares:defaultValue \"1\" ] ]"));
-  ASSERT_THAT(found, SizeIs(1));
-  EXPECT_THAT(found[0].problems, IsEmpty());
-  EXPECT_EQ(found[0].skill, "Wait");
-  EXPECT_EQ(found[0].retries, "2");
-  EXPECT_THAT(found[0].conditions, ElementsAre("for robots without camera"));
-  ASSERT_THAT(found[0].inputs, SizeIs(1));
-  EXPECT_THAT(found[0].inputs[0].sources, ElementsAre("default: 1"));
-}
-
-TEST(SkillTemplates, EachFaultIsNamed) {
-  const std::string in = "lares:skillInput [ lares:parameterName \"a\" ; ";
-  const std::string from = "lares:valueFrom [ lares:robotFact \"camera\" ]";
-  const std::pair<std::string, std::string> faults[] = {
-      {ATemplate("lares:needsComponent lares:RGBDCamera ; lares:notWithComponent lares:Camera"),
-       "can never apply"},
-      {ATemplate(
-           "lares:appliesWithProperty lares:toLocation ; lares:notWithProperty lares:toLocation"),
-       "can never apply"},
-      {ATemplate("", "lares:skillOutcome [ lares:outcomeName \"lost\" ]"),
-       "nobody can handle the outcome 'lost'"},
-      {ATemplate("", "lares:skillName \"Wait\""), "no outcome but failing"},
-      {ATemplate("lares:skillName \"Wait2\""), "names two skills"},
-      {ATemplate("lares:retryCount 1000"), "retryCount"},
-      {ATemplate("lares:timeLimit_s -1"), "timeLimit_s"},
-      {ATemplate("lares:needsLayer \"clouds\""), "needs the layer 'clouds'"},
-      {ATemplate("lares:needsComponent :NoClass"), "no class that is known"},
-      {ATemplate("lares:claims lares:Cup"), "no kind of component"},
-      {ATemplate("lares:precondition \"what (\""), "cannot be read"},
-      {ATemplate("lares:precondition \"at(b)\""), "no input or output"},
-      {ATemplate("lares:precondition \"at(*)\""), "uses '*'"},
-      {ATemplate(in + from + " ; lares:parameterType \"colour\" ]"),
-       "'colour', which is not known"},
-      {ATemplate(in + from + " ; lares:parameterType \"number\" ; lares:parameterUnit \"ft\" ]"),
-       "is in 'ft'"},
-      {ATemplate(in + from + " ; lares:parameterType \"pose\" ; lares:parameterUnit \"cm\" ]"),
-       "poses are in m"},
-      {ATemplate(in + "lares:parameterType \"string\" ]"), "nothing says where 'a' comes from"},
-      {ATemplate(in + "lares:valueFrom [ ] ]"), "names nothing"},
-      {ATemplate(in + "lares:valueFrom [ lares:robotFact \"mood\" ] ]"), "no robot fact 'mood'"},
-      {ATemplate("lares:skillInput [ lares:parameterName \"name\" ; " + from + " ]"),
-       "cannot use that name"},
-      {ATemplate(in + from + " ] ; " + in + from + " ]"), "two parameters 'a'"},
-      {ATemplate("",
-                 "lares:skillOutcome [ lares:outcomeName \"succeeded\" ; "
-                 "lares:meansResult lares:COMPLETED_OK ; lares:effect \"x\" , \"not x\" ]"),
-       "both is so and is not"},
-      {":T a lares:SkillTemplate ; lares:skillName \"Wait\" .\n", "serves no action"},
-      {":T a lares:SkillTemplate ; lares:skillName \"Wait\" ; lares:forAction lares:Cup .\n",
-       "no action that is known"},
-      {":T a lares:SkillTemplate ; lares:skillName \"W ait\" ; lares:forAction lares:Waiting .\n",
-       "is no identifier"},
-  };
-  for (const auto& [body, fault] : faults) {
-    const auto found = Templates(body);
-    ASSERT_THAT(found, SizeIs(1)) << body;
-    EXPECT_THAT(found[0].problems, Contains(HasSubstr(fault))) << body;
-  }
-}
-
-TEST(SkillTemplates, TheBaseDecidesHowToDrive) {
-  const std::string recipe = PartialOrder({{"a", kGo}}, {}) + kHere;
-  const auto model = [&](const std::string& base) {
-    const auto result = Make(recipe, {}, ARobot({base}));
-    return result.plan ? Input(*result.plan, "a", "motion_model").value : result.problems.at(0);
-  };
-  EXPECT_EQ(model("DifferentialBase"), "DiffDrive");
-  EXPECT_EQ(model("HolonomicBase"), "Omni");
-}
-
-TEST(SkillTemplates, TheEnvironmentDecidesToo) {
-  const std::string mine = Turtle(
-      ":T a lares:SkillTemplate ; lares:forAction lares:Waiting ; lares:skillName \"WaitOutside\" "
-      "; "
-      "lares:notInPlace lares:Kitchen ; lares:needsLayer \"octomap\" ; "
-      "lares:skillOutcome [ lares:outcomeName \"succeeded\" ; lares:meansResult "
-      "lares:COMPLETED_OK ] .\n");
-  const std::string recipe = PartialOrder({{"a", "lares:Waiting"}}, {});
-  PlanOptions options;
-  options.environment = "e";
-  options.environment_iri = Lares("LivingRoom");
-  const auto plain = Make(recipe, options, ARobot(), mine);
-  ASSERT_PLAN(plain);  // no octomap: ours alone applies
-  EXPECT_EQ(plain.plan->states[0].skill, "Wait");
-  options.layers = {"octomap"};
-  EXPECT_THAT(Make(recipe, options, ARobot(), mine).choices, SizeIs(1));
-  options.environment_iri = Lares("Kitchen");
-  ASSERT_PLAN(Make(recipe, options, ARobot(), mine));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <string>
 
+#include "base/xml_text.h"
 #include "ontology/rdf/owl_syntax/owl_writers.h"
 #include "ontology/rdf/term_checks.h"
 #include "ontology/rdf/vocabulary.h"
@@ -63,7 +64,8 @@ class OwlXmlWriter {
 
 std::string OwlXmlWriter::Write(const OwlOntology& ontology) {
   for (const std::uint32_t import : ontology.imports) {
-    out_ += "    <Import>" + EscapedXml(document_.terms[import].value, false) + "</Import>\n";
+    out_ +=
+        "    <Import>" + EscapedXml(document_.terms[import].value, XmlUse::kText) + "</Import>\n";
   }
   for (const auto* nodes : {&ontology.annotations, &ontology.axioms}) {
     for (const OwlNode& node : *nodes) Print(node, 0, 1);
@@ -72,16 +74,17 @@ std::string OwlXmlWriter::Write(const OwlOntology& ontology) {
   head += kOwl;
   head += '"';
   if (ontology.iri) {
-    const std::string iri = EscapedXml(document_.terms[*ontology.iri].value, true);
+    const std::string iri = EscapedXml(document_.terms[*ontology.iri].value, XmlUse::kAttribute);
     head += "\n    xml:base=\"" + iri + "\"\n    ontologyIRI=\"" + iri + "\"";
   }
   if (ontology.version) {
-    head +=
-        "\n    versionIRI=\"" + EscapedXml(document_.terms[*ontology.version].value, true) + "\"";
+    head += "\n    versionIRI=\"" +
+            EscapedXml(document_.terms[*ontology.version].value, XmlUse::kAttribute) + "\"";
   }
   head += ">\n";
   for (const auto& [prefix, space] : prefixes_.Used()) {
-    head += "    <Prefix name=\"" + prefix + "\" IRI=\"" + EscapedXml(space, true) + "\"/>\n";
+    head += "    <Prefix name=\"" + prefix + "\" IRI=\"" + EscapedXml(space, XmlUse::kAttribute) +
+            "\"/>\n";
   }
   return head + out_ + "</Ontology>\n";
 }
@@ -116,7 +119,8 @@ void OwlXmlWriter::PrintConstruct(const OwlNode& node, int depth) {
   if (info.shape == Shape::kCardinality) {
     out_ += " cardinality=\"" + document_.terms[node.arguments[0].term].value + "\"";
   } else if (node.construct == kFacetRestriction) {
-    out_ += " facet=\"" + EscapedXml(document_.terms[node.arguments[0].term].value, true) + "\"";
+    out_ += " facet=\"" +
+            EscapedXml(document_.terms[node.arguments[0].term].value, XmlUse::kAttribute) + "\"";
   }
   out_ += ">\n";
   for (const OwlNode& annotation : node.annotations) Print(annotation, 0, depth + 1);
@@ -141,12 +145,13 @@ std::string OwlXmlWriter::Shortened(std::string_view iri) {
 void OwlXmlWriter::PrintIri(std::string_view iri, std::string_view element) {
   const std::string name = Shortened(iri);
   if (element.empty()) {
-    out_ += name.empty() ? "<IRI>" + EscapedXml(iri, false) + "</IRI>\n"
+    out_ += name.empty() ? "<IRI>" + EscapedXml(iri, XmlUse::kText) + "</IRI>\n"
                          : "<AbbreviatedIRI>" + name + "</AbbreviatedIRI>\n";
     return;
   }
   out_.append("<").append(element);
-  out_ += name.empty() ? " IRI=\"" + EscapedXml(iri, true) : " abbreviatedIRI=\"" + name;
+  out_ +=
+      name.empty() ? " IRI=\"" + EscapedXml(iri, XmlUse::kAttribute) : " abbreviatedIRI=\"" + name;
   out_ += "\"/>\n";
 }
 
@@ -160,9 +165,9 @@ void OwlXmlWriter::PrintLiteral(const Term& literal) {
   if (!literal.language.empty()) {
     out_ += " xml:lang=\"" + literal.language + "\"";
   } else if (!literal.datatype.empty()) {
-    out_ += " datatypeIRI=\"" + EscapedXml(literal.datatype, true) + "\"";
+    out_ += " datatypeIRI=\"" + EscapedXml(literal.datatype, XmlUse::kAttribute) + "\"";
   }
-  out_ += ">" + EscapedXml(literal.value, false) + "</Literal>\n";
+  out_ += ">" + EscapedXml(literal.value, XmlUse::kText) + "</Literal>\n";
 }
 
 }  // namespace
