@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "robots/urdf/infer.h"
+#include "robots/urdf/quote.h"
 
 namespace lares::urdf {
 namespace {
@@ -16,8 +17,6 @@ constexpr double kSame = 0.9;        // cosine of axes that count as one directi
 bool Contains(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
-
-std::string Quote(const std::string& name) { return "'" + name + "'"; }
 
 // A plugin that moves the base says how it moves.
 std::optional<Base> FromPlugins(const Model& model) {
