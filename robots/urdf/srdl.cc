@@ -317,7 +317,11 @@ void AddStated(Writing& writing, Node& robot) {
 
 void AddMeasures(const Writing& writing, Node& robot) {
   const Body& body = writing.body;
-  if (body.footprint) {
+  // What may be larger is not stated as the robot's size: whoever reads it would clear too little.
+  if (body.footprint && body.footprint->is_lower_bound) {
+    robot.AddDouble("lares:minFootprintRadius_m", body.footprint->radius_m);
+    robot.Add("rdfs:comment", English("footprint: " + body.footprint->reason));
+  } else if (body.footprint) {
     std::string polygon;
     for (const Eigen::Vector2d& corner : body.footprint->polygon_m) {
       const std::string numbers = Numbers({corner.x(), corner.y(), 0});
@@ -330,7 +334,8 @@ void AddMeasures(const Writing& writing, Node& robot) {
     robot.Add("rdfs:comment", English("footprint: " + body.footprint->reason));
   }
   if (body.height) {
-    robot.AddDouble("lares:bodyHeight_m", body.height->height_m);
+    robot.AddDouble(body.height->is_lower_bound ? "lares:minBodyHeight_m" : "lares:bodyHeight_m",
+                    body.height->height_m);
     robot.Add("rdfs:comment", English("height: " + body.height->reason));
   }
   if (body.mass_kg > 0) robot.AddDouble("lares:mass_kg", body.mass_kg);

@@ -104,6 +104,56 @@ TEST(BodyTest, TheFootprintIsTheHullOfTheShapesNearTheFloor) {
   EXPECT_NEAR(robot.body.height->height_m, 1.0, 1e-9);  // the camera on its mast
 }
 
+// How far the footprint reaches beyond a circle about the origin, and how far within it stays.
+struct Around {
+  double nearest_side_m = 1e9, furthest_corner_m = 0;
+};
+Around MeasureAround(const urdf::Footprint& footprint) {
+  Around around;
+  for (std::size_t i = 0; i < footprint.polygon_m.size(); ++i) {
+    const Eigen::Vector2d& from = footprint.polygon_m[i];
+    const Eigen::Vector2d& to = footprint.polygon_m[(i + 1) % footprint.polygon_m.size()];
+    const double area = from.x() * to.y() - from.y() * to.x();
+    around.nearest_side_m = std::min(around.nearest_side_m, area / (to - from).norm());
+    around.furthest_corner_m = std::max(around.furthest_corner_m, from.norm());
+  }
+  return around;
+}
+
+std::string RoundRobot(const std::string& shape, const std::string& rpy) {
+  return Robot(LinkText("base_link", "<collision>" + Origin("0 0 0", rpy) + "<geometry>" + shape +
+                                         "</geometry></collision>"));
+}
+
+TEST(BodyTest, ASphereIsHeldHoweverItIsTurned) {
+  for (const char* rpy : {"0 0 0", "0.785 0 0", "0.3 0.785 0.1", "1.5707963 0 0"}) {
+    const auto body = Import(RoundRobot("<sphere radius=\"0.25\"/>", rpy)).body;
+    ASSERT_TRUE(body.footprint && body.height) << rpy;
+    EXPECT_NEAR(body.footprint->width_m, 0.5, 1e-9) << rpy;
+    EXPECT_NEAR(body.footprint->length_m, 0.5, 1e-9) << rpy;
+    EXPECT_GE(MeasureAround(*body.footprint).nearest_side_m, 0.25 - 1e-9) << rpy;
+    EXPECT_NEAR(body.height->height_m, 0.25, 1e-9) << rpy;
+  }
+}
+
+TEST(BodyTest, ACylinderIsHeldHoweverItIsTurned) {
+  const std::string upright = "<cylinder radius=\"0.25\" length=\"0.2\"/>";
+  for (const char* rpy : {"0 0 0", "0 0 0.1308996939", "0 0 0.7"}) {
+    const auto body = Import(RoundRobot(upright, rpy)).body;
+    ASSERT_TRUE(body.footprint) << rpy;
+    EXPECT_GE(MeasureAround(*body.footprint).nearest_side_m, 0.25 - 1e-9) << rpy;
+    EXPECT_LE(MeasureAround(*body.footprint).furthest_corner_m, 0.25 * 1.009) << rpy;
+  }
+  const auto body = Import(RoundRobot(upright, "0 0 0")).body;
+  EXPECT_NEAR(body.footprint->width_m, 0.5, 1e-9);
+  // Lying, and turned about its own axis: the top is no lower than the radius.
+  for (const char* rpy : {"1.5707963268 0 0", "1.5707963268 0.13 0", "1.5707963268 0.4 0"}) {
+    const auto lying = Import(RoundRobot(upright, rpy)).body;
+    ASSERT_TRUE(lying.height) << rpy;
+    EXPECT_GE(lying.height->height_m, 0.25 - 1e-9) << rpy;
+  }
+}
+
 TEST(BodyTest, MeshesAreNotOpenedAndTheFootprintSaysSo) {
   const Imported robot = Import(Robot(LinkText(
       "base_link", Shape("<mesh filename=\"a.stl\"/>") + Shape("<box size=\"0.4 0.2 0.1\"/>"))));
