@@ -12,7 +12,8 @@
 
 namespace lares::urdf {
 
-enum class BaseKind { kUnknown, kFixed, kDifferential, kHolonomic, kTracked };
+// kWheeled: on wheels that neither drive by their difference nor go sideways, as a car's.
+enum class BaseKind { kUnknown, kFixed, kDifferential, kHolonomic, kTracked, kWheeled };
 std::string_view ToString(BaseKind kind);  // "differential", …
 
 struct Base {

@@ -126,6 +126,7 @@ void AddBase(Writing& writing) {
   if (base.kind == BaseKind::kDifferential) kind = "lares:DifferentialBase";
   if (base.kind == BaseKind::kHolonomic) kind = "lares:HolonomicBase";
   if (base.kind == BaseKind::kTracked) kind = "lares:TrackedBase";
+  if (base.kind == BaseKind::kWheeled) kind = "lares:WheeledBase";
   if (base.kind == BaseKind::kFixed) kind = "lares:Base";
   if (kind == nullptr) return;
   node.Add("a", kind);
@@ -362,7 +363,7 @@ std::string Preamble(const Writing& writing, const std::string& label) {
 
 bool IsMobile(BaseKind kind) {
   return kind == BaseKind::kDifferential || kind == BaseKind::kHolonomic ||
-         kind == BaseKind::kTracked;
+         kind == BaseKind::kTracked || kind == BaseKind::kWheeled;
 }
 
 }  // namespace
