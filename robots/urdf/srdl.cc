@@ -382,6 +382,9 @@ std::string ToSrdl(const Model& model, const Kinematics& kinematics, const Body&
   robot.Add("rdfs:label", English(label));
   AddMeasures(writing, robot);
   robot.Add("lares:succeedingLink", writing.links[At(model.root)]);
+  if (body.base_frame != model.root) {
+    robot.Add("lares:baseFrameLink", writing.links[At(body.base_frame)]);
+  }
   AddBase(writing);
   AddHeadsAndTorsos(writing);
   AddSensors(writing);
