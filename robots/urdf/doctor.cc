@@ -186,8 +186,7 @@ std::vector<Finding> Unreadable(const Error& error) {
 
 }  // namespace
 
-void ExamineFrames(const Model& model, const Kinematics&, const std::string& source,
-                   std::vector<Finding>& findings) {
+void ExamineFrames(const Model& model, const std::string& source, std::vector<Finding>& findings) {
   Notes notes(source, findings);
   ExamineBaseFrames(model, notes);
   ExamineOpticalFrames(model, notes);
@@ -234,8 +233,7 @@ std::vector<Finding> Examine(std::string_view bytes, const std::string& source,
     findings = Scan(bytes, source, limits).findings;
     if (HasErrors(findings)) return findings;
     const Model model = ReadUrdf(bytes, source, limits);
-    const Kinematics kinematics = MakeKinematics(model);
-    ExamineFrames(model, kinematics, source, findings);
+    ExamineFrames(model, source, findings);
     ExamineDynamics(model, source, findings);
     ExamineSensors(model, source, findings);
     if (srdl != nullptr) CompareWithSrdl(model, *srdl, {}, source, findings);

@@ -165,7 +165,11 @@ TEST(ReadUrdfTest, AUrdfIsKnownByItsRoot) {
   EXPECT_TRUE(urdf::IsUrdf("<?xml version=\"1.0\"?>\n<!-- <rdf:RDF> -->\n<robot name=\"x\"/>"));
   EXPECT_TRUE(urdf::IsUrdf("\xEF\xBB\xBF<robot/>"));
   EXPECT_FALSE(urdf::IsUrdf("<rdf:RDF><robot/></rdf:RDF>"));
+  EXPECT_TRUE(urdf::IsUrdf("<robot\n name=\"x\"/>"));
+  EXPECT_TRUE(urdf::IsUrdf("<robot><link/></robot>"));
   EXPECT_FALSE(urdf::IsUrdf("<robots/>"));
+  EXPECT_FALSE(urdf::IsUrdf("<robot#scout1> a <urn:Robot> ."));
+  EXPECT_FALSE(urdf::IsUrdf("<robot/scout1> a <urn:Robot> ."));
   EXPECT_FALSE(urdf::IsUrdf("@prefix robot: <urn:x> ."));
   EXPECT_FALSE(urdf::IsUrdf(""));
 }
