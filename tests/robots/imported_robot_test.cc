@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
 #include <sstream>
 
 #include "robots/urdf/import.h"
@@ -85,6 +87,15 @@ constexpr char kLook[] =
     ":See a owl:Class ; rdfs:subClassOf lares:Perceiving , [ a owl:Restriction ; "
     "owl:onProperty lares:detectedObject ; owl:someValuesFrom lares:Cup ] .\n";
 
+std::vector<recipes::Parameter> Inputs(const recipes::Plan& plan, const std::string& name) {
+  std::vector<recipes::Parameter> inputs;
+  for (const auto& state : plan.states) {
+    std::copy_if(state.inputs.begin(), state.inputs.end(), std::back_inserter(inputs),
+                 [&](const recipes::Parameter& input) { return input.name == name; });
+  }
+  return inputs;
+}
+
 TEST_F(ImportedRobotTest, ThePlansCameraPoseIsThatOfTheReportInTheSameFrame) {
   Put(store::DocumentKind::kRecipe, "look", std::string(kPrefixes) + kLook);
   for (const char* wanted : {"", "base_link", "base_footprint", "mast", "camera"}) {
@@ -98,22 +109,28 @@ TEST_F(ImportedRobotTest, ThePlansCameraPoseIsThatOfTheReportInTheSameFrame) {
     const auto answer = knowledge_->MakePlan(
         {"LookForACup", "turned", "", 0, false, {{"http://example.org/test#See", kLocate}}});
     ASSERT_TRUE(answer.result.plan) << answer.result.choices.size();
-    bool found = false;
-    for (const auto& state : answer.result.plan->states) {
-      for (const auto& input : state.inputs) {
-        if (input.name != "camera_pose") continue;
-        found = true;
-        EXPECT_EQ(input.frame, frame) << wanted;
-        std::istringstream numbers(input.value);
-        Eigen::Vector3d t;
-        Eigen::Quaterniond q;
-        numbers >> t.x() >> t.y() >> t.z() >> q.x() >> q.y() >> q.z() >> q.w();
-        ASSERT_FALSE(numbers.fail()) << input.value;
-        EXPECT_LT((t - reported.translation_m).norm(), 1e-5) << wanted << ": " << input.value;
-        EXPECT_LT(q.angularDistance(reported.rotation), 1e-5) << wanted << ": " << input.value;
-      }
-    }
-    EXPECT_TRUE(found) << wanted;
+    const std::vector<recipes::Parameter> poses = Inputs(*answer.result.plan, "camera_pose");
+    ASSERT_EQ(poses.size(), 1u) << wanted;
+    EXPECT_EQ(poses[0].frame, frame) << wanted;
+    std::istringstream numbers(poses[0].value);
+    Eigen::Vector3d t;
+    Eigen::Quaterniond q;
+    numbers >> t.x() >> t.y() >> t.z() >> q.x() >> q.y() >> q.z() >> q.w();
+    ASSERT_FALSE(numbers.fail()) << poses[0].value;
+    EXPECT_LT((t - reported.translation_m).norm(), 1e-5) << wanted << ": " << poses[0].value;
+    EXPECT_LT(q.angularDistance(reported.rotation), 1e-5) << wanted << ": " << poses[0].value;
+  }
+}
+
+TEST_F(ImportedRobotTest, ThePlansBaseFrameIsThatOfTheReport) {
+  Put(store::DocumentKind::kRecipe, "walk", WalkRecipe("Walk", 1));
+  for (const char* wanted : {"", "base_link", "mast"}) {
+    PutUrdf("turned", TurnedCart(), {}, wanted);
+    const auto answer = knowledge_->MakePlan({"Walk", "turned", "", 0, false, {}});
+    ASSERT_TRUE(answer.result.plan) << ::testing::PrintToString(answer.result.problems);
+    const std::vector<recipes::Parameter> frames = Inputs(*answer.result.plan, "base_frame");
+    ASSERT_EQ(frames.size(), 1u) << wanted;
+    EXPECT_EQ(frames[0].value, *wanted == 0 ? "base_footprint" : wanted);
   }
 }
 
