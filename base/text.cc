@@ -88,10 +88,13 @@ std::vector<std::string> SimilarNames(std::string_view name,
                                       std::size_t limit) {
   const std::string wanted = ToLower(name.substr(0, 256));
   std::vector<std::pair<std::size_t, std::string>> scored;
+  const std::size_t furthest = std::max<std::size_t>(1, wanted.size() / 3);
   for (const std::string& candidate : candidates) {
-    if (candidate.size() > 256) continue;
+    // Lengths that differ by more cannot be nearer than that.
+    if (candidate.size() > std::min<std::size_t>(256, wanted.size() + furthest)) continue;
+    if (candidate.size() + furthest < wanted.size()) continue;
     const std::size_t distance = EditDistance(wanted, ToLower(candidate));
-    if (distance <= std::max<std::size_t>(1, wanted.size() / 3)) {
+    if (distance <= furthest) {
       scored.emplace_back(distance, candidate);
     }
   }

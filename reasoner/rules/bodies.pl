@@ -12,6 +12,7 @@
 :- use_module(rules(rdf_view)).
 :- use_module(rules(classes)).
 :- use_module(rules(matching)).
+:- use_module(rules(frames)).
 :- use_module(rules(recipe_checks)).
 
 /** <module> A robot's body: its links, its joints and where its camera sits
@@ -138,7 +139,10 @@ joint_property(Property, up) :- rdf_equal(Property, lares:precedingLink).
 joint_property(Property, up) :- rdf_equal(Property, lares:precedingJoint).
 
 %!  base_link(+Robot, -Link) is semidet.
+%
+%   The link that poses on Robot are seen from: the one that is stated as such, else its first.
 
+base_link(Robot, Link) :- stated_base_link(Robot, Link), !.
 base_link(Robot, Link) :-
     findall(Found,
             (   rdf_asserted(Robot, lares:baseLinkOfComposition, Found)
@@ -147,13 +151,17 @@ base_link(Robot, Link) :-
             Links0),
     sort(Links0, [Link|_]).
 
+stated_base_link(Robot, Link) :-
+    findall(Found, rdf_asserted(Robot, lares:baseFrameLink, Found), Links0),
+    sort(Links0, [Link|_]).
+
 %!  robot_camera(+Robot, -Camera:compound) is semidet.
 %
 %   `camera(Part, Root, Matrices, Others)`: the camera to recognise things with and the others that
 %   the robot has. Colour cameras come first, then those that are links of the kinematic chain.
-%   Root is the link at the chain's
-%   beginning and Matrices lead from it to the camera, all joints at zero. Root is `none` when the
-%   chain cannot be followed.
+%   Root is the link at the chain's beginning, or the robot's base link where one is stated that hangs
+%   on the same chain, and Matrices lead from it to the camera, all joints at zero. Root is `none`
+%   when the chain cannot be followed.
 
 robot_camera(Robot, camera(Camera, Root, Matrices, Others)) :-
     findall(Part, (rdf(Part, rdf:type, lares:'Camera'), rdf(Robot, lares:subComponent, Part)),
@@ -194,9 +202,16 @@ sees_no_colour(Camera) :-
 % A link of the chain itself, not a device that hangs on one.
 jointed(Camera) :- rdf_asserted(_, lares:succeedingLink, Camera), !.
 
-chain(Robot, Node, Root, Matrices) :-
-    climb(Robot, Node, [Node], Root, [], Matrices),
-    Matrices = [_|_].
+chain(Robot, Node, Base, Matrices) :-
+    climb(Robot, Node, [Node], Root, [], FromRoot),
+    (   stated_base_link(Robot, Base),
+        climb(Robot, Base, [Base], Root, [], BaseFromRoot),
+        relative_matrices(BaseFromRoot, FromRoot, Matrices)
+    ->  true
+    ;   Base = Root,
+        FromRoot = [_|_],
+        Matrices = FromRoot
+    ).
 
 % From a link to the link before its joint, whose pose must be known; from a device to what it hangs
 % on.

@@ -49,21 +49,6 @@ std::optional<double> ReadLength(const rdf::View& view, rdf::TermId robot, const
   return largest_m;
 }
 
-std::string FindBaseFrame(const rdf::View& view, rdf::TermId robot) {
-  std::vector<std::string> frames;
-  const auto add = [&](const rdf::Triple& triple) {
-    frames.emplace_back(view.dictionary().Get(triple.object).value);
-    return true;
-  };
-  view.ForEach(
-      {robot, Ours(view, "succeedingLink"), {}},
-      [&](const rdf::Triple& link) {
-        return view.ForEach({link.object, Ours(view, "urdfName"), {}}, add, rdf::Origin::kAsserted);
-      },
-      rdf::Origin::kAsserted);
-  return frames.empty() ? "" : *std::min_element(frames.begin(), frames.end());
-}
-
 void ChooseRadius(const RobotBody& body, Clearance& clearance) {
   std::optional<double> half_diagonal_m;
   if (body.footprint_length_m && body.footprint_width_m) {
@@ -71,10 +56,15 @@ void ChooseRadius(const RobotBody& body, Clearance& clearance) {
   }
   const double stated_m = body.footprint_radius_m.value_or(0);
   const double by_sides_m = half_diagonal_m.value_or(0);
-  clearance.radius_m = std::max(stated_m, by_sides_m);
+  const double least_m = body.min_footprint_radius_m.value_or(0);
+  clearance.radius_m = std::max({stated_m, by_sides_m, least_m});
   if (clearance.radius_m == 0) {
     clearance.reasons.push_back("the footprint of " + body.label +
                                 " is not stated: obstacles are not inflated for it");
+  } else if (least_m > std::max(stated_m, by_sides_m)) {
+    clearance.reasons.push_back("obstacles are inflated by " + Metres(least_m) +
+                                ", which the footprint radius of " + body.label +
+                                " is at least: it may be larger");
   } else if (stated_m >= by_sides_m) {
     clearance.reasons.push_back("obstacles are inflated by " + Metres(stated_m) +
                                 ", the footprint radius that " + body.label + " states");
@@ -88,6 +78,22 @@ void ChooseRadius(const RobotBody& body, Clearance& clearance) {
   }
 }
 
+void ChooseHeight(const RobotBody& body, Clearance& clearance) {
+  const double least_m = body.min_body_height_m.value_or(0);
+  if (body.body_height_m) {
+    clearance.high_m = std::max(*body.body_height_m, least_m);
+    return;
+  }
+  clearance.high_m = std::max(kAssumedHeight_m, least_m);
+  if (body.min_body_height_m) {
+    clearance.reasons.push_back("the height of " + body.label + " is at least " + Metres(least_m) +
+                                " and may be larger: " + Metres(clearance.high_m) + " are assumed");
+  } else {
+    clearance.reasons.push_back("the height of " + body.label +
+                                " is not stated: " + Metres(kAssumedHeight_m) + " are assumed");
+  }
+}
+
 }  // namespace
 
 RobotBody ReadRobotBody(const rdf::View& view, const std::string& robot_iri) {
@@ -98,7 +104,8 @@ RobotBody ReadRobotBody(const rdf::View& view, const std::string& robot_iri) {
   body.footprint_length_m = ReadLength(view, robot, "footprintLength_m", body);
   body.footprint_width_m = ReadLength(view, robot, "footprintWidth_m", body);
   body.body_height_m = ReadLength(view, robot, "bodyHeight_m", body);
-  body.base_frame = FindBaseFrame(view, robot);
+  body.min_footprint_radius_m = ReadLength(view, robot, "minFootprintRadius_m", body);
+  body.min_body_height_m = ReadLength(view, robot, "minBodyHeight_m", body);
   return body;
 }
 
@@ -109,11 +116,7 @@ Clearance ClearanceOf(const RobotBody& body) {
   clearance.low_m = kAssumedStep_m;
   clearance.reasons.push_back(body.label + " is assumed to roll over what is lower than " +
                               Metres(kAssumedStep_m));
-  clearance.high_m = body.body_height_m.value_or(kAssumedHeight_m);
-  if (!body.body_height_m) {
-    clearance.reasons.push_back("the height of " + body.label +
-                                " is not stated: " + Metres(kAssumedHeight_m) + " are assumed");
-  }
+  ChooseHeight(body, clearance);
   // Nothing is as low as the step: a body that is has one layer of the world in its way.
   clearance.high_m = std::max(clearance.high_m, clearance.low_m + 0.01);
   return clearance;

@@ -16,14 +16,15 @@ struct RobotBody {
   std::optional<double> footprint_length_m;
   std::optional<double> footprint_width_m;
   std::optional<double> body_height_m;
-  std::string base_frame;          // of the link it begins with; empty when none is stated
+  std::optional<double> min_footprint_radius_m;  // the true ones may be larger
+  std::optional<double> min_body_height_m;
   std::vector<std::string> notes;  // one sentence for each value that was not taken as it stands
 };
 
-// From lares:footprintRadius_m, footprintLength_m, footprintWidth_m and bodyHeight_m of the robot
-// itself, as documents assert them; nothing is inferred. What is no length of a robot (not a
-// number, not more than 0, more than 20 m) is passed over and noted; of several values the largest
-// counts.
+// From lares:footprintRadius_m, footprintLength_m, footprintWidth_m, bodyHeight_m,
+// minFootprintRadius_m and minBodyHeight_m of the robot itself, as documents assert them; nothing
+// is inferred. What is no length of a robot (not a number, not more than 0, more than 20 m) is
+// passed over and noted; of several values the largest counts.
 RobotBody ReadRobotBody(const rdf::View& view, const std::string& robot_iri);
 
 // What of the world is in this body's way: where the description is silent, what is assumed.
@@ -38,7 +39,8 @@ inline constexpr double kAssumedStep_m = 0.05;   // what a robot rolls over; no 
 inline constexpr double kAssumedHeight_m = 1.8;  // of a body whose height is not known
 
 // The radius is the stated one or half the footprint's diagonal, whichever is larger (the base's
-// centre is taken for the footprint's).
+// centre is taken for the footprint's). Where a robot only states what its size is at least, that
+// is the radius, said to be too small perhaps, and the height is kAssumedHeight_m if that is more.
 Clearance ClearanceOf(const RobotBody& body);
 
 }  // namespace lares::robots

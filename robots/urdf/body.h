@@ -12,7 +12,8 @@
 
 namespace lares::urdf {
 
-enum class BaseKind { kUnknown, kFixed, kDifferential, kHolonomic, kTracked };
+// kWheeled: on wheels that neither drive by their difference nor go sideways, as a car's.
+enum class BaseKind { kUnknown, kFixed, kDifferential, kHolonomic, kTracked, kWheeled };
 std::string_view ToString(BaseKind kind);  // "differential", …
 
 struct Base {
@@ -28,11 +29,13 @@ struct Footprint {
   double length_m = 0;                     // front to back
   double width_m = 0;                      // left to right
   double radius_m = 0;                     // about the base frame's origin
+  bool is_lower_bound = false;             // the true one holds it and may be larger
   std::string reason;
 };
 
 struct BodyHeight {
-  double height_m = 0;  // above the floor
+  double height_m = 0;          // above the floor
+  bool is_lower_bound = false;  // the true one may be larger
   std::string reason;
 };
 

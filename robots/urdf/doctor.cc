@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "robots/urdf/infer.h"
+#include "robots/urdf/quote.h"
 #include "robots/urdf/scan.h"
 
 namespace lares::urdf {
@@ -15,8 +16,6 @@ namespace {
 using Severity = Finding::Severity;
 
 constexpr double kAlike_rad = 0.03;
-
-std::string Quote(const std::string& name) { return "'" + name + "'"; }
 
 class Notes {
  public:
@@ -164,6 +163,11 @@ void ExamineLimits(const Model& model, Notes& notes) {
                 "make it fixed, or give its limits");
     }
     if (joint.kind != Joint::Kind::kRevolute && joint.kind != Joint::Kind::kPrismatic) continue;
+    if (!joint.lower) {
+      notes.Add(Severity::kWarning, "no-ends", joint.line,
+                of + " states neither lower nor upper: readers take both for 0",
+                "add lower=… and upper=… to its <limit>");
+    }
     if (joint.effort.value_or(0) <= 0) {
       notes.Add(Severity::kWarning, "no-effort", joint.line, of + " has no effort above zero",
                 "add effort=… to its <limit>");
@@ -182,8 +186,7 @@ std::vector<Finding> Unreadable(const Error& error) {
 
 }  // namespace
 
-void ExamineFrames(const Model& model, const Kinematics&, const std::string& source,
-                   std::vector<Finding>& findings) {
+void ExamineFrames(const Model& model, const std::string& source, std::vector<Finding>& findings) {
   Notes notes(source, findings);
   ExamineBaseFrames(model, notes);
   ExamineOpticalFrames(model, notes);
@@ -230,8 +233,7 @@ std::vector<Finding> Examine(std::string_view bytes, const std::string& source,
     findings = Scan(bytes, source, limits).findings;
     if (HasErrors(findings)) return findings;
     const Model model = ReadUrdf(bytes, source, limits);
-    const Kinematics kinematics = MakeKinematics(model);
-    ExamineFrames(model, kinematics, source, findings);
+    ExamineFrames(model, source, findings);
     ExamineDynamics(model, source, findings);
     ExamineSensors(model, source, findings);
     if (srdl != nullptr) CompareWithSrdl(model, *srdl, {}, source, findings);

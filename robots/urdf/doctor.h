@@ -8,7 +8,6 @@
 #include "ontology/triples/dictionary.h"
 #include "ontology/triples/graph.h"
 #include "robots/urdf/finding.h"
-#include "robots/urdf/kinematics.h"
 #include "robots/urdf/limits.h"
 #include "robots/urdf/model.h"
 
@@ -32,8 +31,7 @@ std::vector<Finding> Examine(std::string_view bytes, const std::string& source,
                              const SrdlToCompare* srdl = nullptr, const Limits& limits = {});
 
 // The steps of it.
-void ExamineFrames(const Model& model, const Kinematics& kinematics, const std::string& source,
-                   std::vector<Finding>& findings);
+void ExamineFrames(const Model& model, const std::string& source, std::vector<Finding>& findings);
 void ExamineDynamics(const Model& model, const std::string& source, std::vector<Finding>& findings);
 void ExamineSensors(const Model& model, const std::string& source, std::vector<Finding>& findings);
 // Links and joints (by urdfName) that only one of the two has, joints of another kind and poses

@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "robots/urdf/doctor.h"
 #include "robots/urdf/infer.h"
+#include "robots/urdf/quote.h"
 
 namespace lares::urdf {
 namespace {
@@ -15,8 +16,6 @@ using Severity = Finding::Severity;
 
 constexpr std::string_view kLares = "https://w3id.org/lares#";
 constexpr std::string_view kType = "http://www.w3.org/1999/02/22-rdf-syntax-ns#type";
-
-std::string Quote(const std::string& name) { return "'" + name + "'"; }
 
 // What the SRDL says of one link or joint, by its urdfName.
 struct Said {

@@ -5,13 +5,12 @@
 
 #include "base/text.h"
 #include "robots/urdf/infer.h"
+#include "robots/urdf/quote.h"
 
 namespace lares::urdf {
 namespace {
 
 constexpr std::size_t kFewestArmJoints = 3;
-
-std::string Quote(const std::string& name) { return "'" + name + "'"; }
 
 bool IsFingerName(std::string_view name) {
   static const std::vector<std::string> kWords = {"finger",  "fingers", "thumb",  "jaw",  "claw",

@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "robots/urdf/infer.h"
+#include "robots/urdf/quote.h"
 
 namespace lares::urdf {
 namespace {
@@ -12,12 +13,22 @@ namespace {
 constexpr double kVertical = 0.8;    // cosine with the vertical of a steering axis at least
 constexpr double kHorizontal = 0.3;  // of a wheel's axis at most
 constexpr double kSame = 0.9;        // cosine of axes that count as one direction
+constexpr double kHalfTurn = 3.1;    // radians; what a steered wheel turns at least to go anywhere
 
 bool Contains(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
-std::string Quote(const std::string& name) { return "'" + name + "'"; }
+// `part` is in `text`, and no "non" stands before it ("nonholonomic", "non_holonomic").
+bool Says(std::string_view text, std::string_view part) {
+  for (std::size_t at = text.find(part); at != std::string_view::npos;
+       at = text.find(part, at + 1)) {
+    std::string_view before = text.substr(0, at);
+    if (before.ends_with('_') || before.ends_with('-')) before.remove_suffix(1);
+    if (!before.ends_with("non")) return true;
+  }
+  return false;
+}
 
 // A plugin that moves the base says how it moves.
 std::optional<Base> FromPlugins(const Model& model) {
@@ -35,11 +46,12 @@ std::optional<Base> FromPlugins(const Model& model) {
       {"diffdrive", BaseKind::kDifferential, "drives two sides at different speeds"},
       {"differential", BaseKind::kDifferential, "drives two sides at different speeds"},
       {"skid_steer", BaseKind::kDifferential, "drives two sides at different speeds"},
+      {"ackermann", BaseKind::kWheeled, "steers as a car does"},
       {"tracked", BaseKind::kTracked, "drives tracks"}};
   for (const Plugin& plugin : model.plugins) {
     const std::string text = ToLower(plugin.file + " " + plugin.name);
     for (const Known& known : kKnown) {
-      if (!Contains(text, known.part)) continue;
+      if (!Says(text, known.part)) continue;
       Base base;
       base.kind = known.kind;
       base.reason = "the simulator's plugin " + plugin.file + " (line " +
@@ -75,13 +87,14 @@ bool IsNamed(const Model& model, const Joint& joint, const char* word) {
          Contains(ToLower(model.links[At(joint.child)].name), word);
 }
 
-// The joint above, when it turns without limits about the vertical and belongs to the wheel.
+// The joint above, when it turns about the vertical and belongs to the wheel.
 int SteeringAbove(const Model& model, const Kinematics& kinematics, const Joint& wheel) {
   for (int above = model.links[At(wheel.parent)].parent_joint; above >= 0;) {
     const Joint& joint = model.joints[At(above)];
     if (Moves(joint)) {
       const bool upright = std::abs(AxisInRoot(model, kinematics, above).z()) > kVertical;
       const bool belongs = joint.kind == Joint::Kind::kContinuous ||
+                           kinematics.moving_below[At(joint.child)] == 1 ||
                            IsNamed(model, joint, "caster") || IsNamed(model, joint, "steer") ||
                            IsNamed(model, joint, "swivel");
       return Turns(joint) && upright && belongs ? above : -1;
@@ -136,10 +149,6 @@ std::vector<std::string> NamesOf(const Model& model, const std::vector<Wheel>& w
   return names;
 }
 
-bool IsDriven(const Model& model, int joint) {
-  return !model.says_what_is_driven || model.joints[At(joint)].actuated;
-}
-
 // The directions that the axes of wheels point to, opposite ones being the same.
 std::size_t DirectionsOf(const std::vector<Wheel>& wheels) {
   std::vector<Eigen::Vector3d> directions;
@@ -167,36 +176,85 @@ int CarrierOf(const Model& model, const Wheel& wheel) {
   return model.joints[At(joint)].parent;
 }
 
-std::optional<Base> FromWheels(const Model& model, const std::vector<Wheel>& wheels) {
-  std::vector<Wheel> fixed, steered, passive;
+// The wheels by what they do for the motion.
+struct Wheels {
+  std::vector<Wheel> fixed;    // roll in one direction of the base
+  std::vector<Wheel> steered;  // are turned about the vertical
+  std::vector<Wheel> passive;  // castors: turn as the base goes
+};
+
+// Castors turn without limits and nothing drives them. What turns between limits is steered, for it
+// could not follow; where transmissions are written, those that drive it decide.
+Wheels SortWheels(const Model& model, const std::vector<Wheel>& wheels) {
+  Wheels sorted;
   for (const Wheel& wheel : wheels) {
-    if (wheel.steering >= 0) {
-      const bool driven = IsDriven(model, wheel.steering) && model.says_what_is_driven;
-      (driven ? steered : passive).push_back(wheel);
-    } else {
+    if (wheel.steering < 0) {
       const bool caster = IsNamed(model, model.joints[At(wheel.joint)], "caster");
-      (caster ? passive : fixed).push_back(wheel);
+      (caster ? sorted.passive : sorted.fixed).push_back(wheel);
+      continue;
     }
+    const Joint& steering = model.joints[At(wheel.steering)];
+    const bool steered = model.says_what_is_driven ? steering.actuated
+                                                   : steering.kind == Joint::Kind::kRevolute &&
+                                                         !IsNamed(model, steering, "caster");
+    (steered ? sorted.steered : sorted.passive).push_back(wheel);
   }
+  return sorted;
+}
+
+// Whether a wheel rolls sideways as well: by rollers on its rim, or by its name.
+bool IsOmni(const Model& model, const Wheel& wheel) {
+  return wheel.is_omni || IsNamed(model, model.joints[At(wheel.joint)], "mecanum") ||
+         IsNamed(model, model.joints[At(wheel.joint)], "omni");
+}
+
+// Whether the wheel can be turned into every direction; rolling backwards counts.
+bool TurnsAllAround(const Model& model, const Wheel& wheel) {
+  const Joint& steering = model.joints[At(wheel.steering)];
+  return !steering.lower || *steering.upper - *steering.lower > kHalfTurn;
+}
+
+// Bases with steered wheels: every one, or those that are not roll sideways as well; else a car.
+std::optional<Base> FromSteering(const Model& model, const Wheels& wheels) {
+  if (wheels.steered.empty()) return std::nullopt;
+  const auto omni = [&](const Wheel& wheel) { return IsOmni(model, wheel); };
+  const auto all_around = [&](const Wheel& wheel) { return TurnsAllAround(model, wheel); };
+  const std::string steered = Join(NamesOf(model, wheels.steered), ", ");
   Base base;
-  const std::string extra =
-      passive.empty() ? "" : "; " + Join(NamesOf(model, passive), ", ") + " only follow";
-  if (steered.size() >= 2) {
-    base.kind = BaseKind::kHolonomic;
-    base.reason = std::to_string(steered.size()) + " wheels, " +
-                  Join(NamesOf(model, steered), ", ") +
-                  ", are turned about the vertical by driven joints of their own";
+  if (!std::all_of(wheels.fixed.begin(), wheels.fixed.end(), omni)) {
+    base.kind = BaseKind::kWheeled;
+    base.reason = steered + " are steered and " + Join(NamesOf(model, wheels.fixed), ", ") +
+                  " are not, as on a car: it cannot move sideways";
     return base;
   }
+  if (wheels.steered.size() < 2) return std::nullopt;
+  if (!std::all_of(wheels.steered.begin(), wheels.steered.end(), all_around)) {
+    base.kind = BaseKind::kWheeled;
+    base.reason = "the joints that steer " + steered + " turn less than half a turn";
+    return base;
+  }
+  base.kind = BaseKind::kHolonomic;
+  base.reason = std::to_string(wheels.steered.size()) + " wheels, " + steered +
+                ", are turned about the vertical by driven joints of their own";
+  return base;
+}
+
+std::optional<Base> FromWheels(const Model& model, const std::vector<Wheel>& all) {
+  const Wheels wheels = SortWheels(model, all);
+  if (auto base = FromSteering(model, wheels)) return base;
+  const std::vector<Wheel>& fixed = wheels.fixed;
   if (fixed.size() < 2) return std::nullopt;
+  Base base;
+  const std::string passive = Join(NamesOf(model, wheels.passive), ", ");
+  const std::string names = Join(NamesOf(model, fixed), ", ");
   const bool rollers =
       std::all_of(fixed.begin(), fixed.end(), [](const Wheel& wheel) { return wheel.is_omni; });
-  const bool mecanum = IsNamed(model, model.joints[At(fixed.front().joint)], "mecanum") ||
-                       IsNamed(model, model.joints[At(fixed.front().joint)], "omni");
+  const bool omni = std::all_of(fixed.begin(), fixed.end(),
+                                [&](const Wheel& wheel) { return IsOmni(model, wheel); });
   const std::size_t directions = DirectionsOf(fixed);
-  if (fixed.size() >= 3 && (directions >= 2 || rollers || mecanum)) {
+  if (fixed.size() >= 3 && (directions >= 2 || omni)) {
     base.kind = BaseKind::kHolonomic;
-    base.reason = std::to_string(fixed.size()) + " wheels, " + Join(NamesOf(model, fixed), ", ") +
+    base.reason = std::to_string(fixed.size()) + " wheels, " + names +
                   (directions >= 2 ? ", whose axes point in " + std::to_string(directions) +
                                          " directions of the floor"
                    : rollers ? ", carry rollers on their rims"
@@ -205,8 +263,9 @@ std::optional<Base> FromWheels(const Model& model, const std::vector<Wheel>& whe
   }
   if (directions == 1 && StandsOnBothSides(fixed)) {
     base.kind = BaseKind::kDifferential;
-    base.reason = std::to_string(fixed.size()) + " wheels, " + Join(NamesOf(model, fixed), ", ") +
-                  ", turn about parallel axes on both sides" + extra;
+    base.reason = std::to_string(fixed.size()) + " wheels, " + names +
+                  ", turn about parallel axes on both sides" +
+                  (passive.empty() ? "" : "; " + passive + " only follow");
     return base;
   }
   return std::nullopt;
@@ -224,27 +283,37 @@ std::optional<Base> FromTracks(const Model& model) {
   return base;
 }
 
-// A base whose motion in the plane is written as joints.
+// A base whose motion in the plane is written as joints at the root: one planar joint, or two that
+// slide across each other and one that turns. Slides alone are a gantry.
 std::optional<Base> FromPlanarJoints(const Model& model, const Kinematics& kinematics) {
-  int slides = 0;
+  std::vector<Eigen::Vector3d> slides;
+  bool turns = false;
   for (int link = model.root; model.links[At(link)].child_joints.size() == 1;) {
     const int above = model.links[At(link)].child_joints.front();
     const Joint& joint = model.joints[At(above)];
     Base base;
     base.kind = BaseKind::kHolonomic;
     base.link = joint.child;
+    link = joint.child;
+    if (!Moves(joint)) continue;
     if (joint.kind == Joint::Kind::kPlanar) {
       base.reason = "the planar joint " + Quote(joint.name) + " carries all of it";
       return base;
     }
-    const bool level = std::abs(AxisInRoot(model, kinematics, above).z()) < kHorizontal;
-    if (joint.kind == Joint::Kind::kPrismatic && level) ++slides;
-    if (slides >= 2) {
-      base.reason = "two sliding joints at the root, the last " + Quote(joint.name) +
-                    ", move all of it in the plane";
-      return base;
-    }
-    link = joint.child;
+    const Eigen::Vector3d axis = AxisInRoot(model, kinematics, above);
+    const bool slides_level =
+        joint.kind == Joint::Kind::kPrismatic && std::abs(axis.z()) < kHorizontal;
+    const bool turns_upright = Turns(joint) && std::abs(axis.z()) > kVertical;
+    if (!slides_level && !turns_upright) return std::nullopt;
+    turns = turns || turns_upright;
+    const bool is_known = std::any_of(slides.begin(), slides.end(), [&](const auto& known) {
+      return std::abs(known.dot(axis)) > kSame;
+    });
+    if (slides_level && !is_known) slides.push_back(axis);
+    if (slides.size() < 2 || !turns) continue;
+    base.reason = "two sliding joints and a turning one at the root, the last " +
+                  Quote(joint.name) + ", move all of it in the plane";
+    return base;
   }
   return std::nullopt;
 }
@@ -270,8 +339,8 @@ Base WithoutWheels(const Model& model) {
 }  // namespace
 
 std::string_view ToString(BaseKind kind) {
-  constexpr std::string_view kNames[] = {"unknown", "fixed", "differential", "holonomic",
-                                         "tracked"};
+  constexpr std::string_view kNames[] = {"unknown",   "fixed",   "differential",
+                                         "holonomic", "tracked", "wheeled"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -290,8 +359,8 @@ Base InferBase(const Model& model, const Kinematics& kinematics) {
   if (!wheels.empty()) {
     base->link = CarrierOf(model, wheels.front());
   } else if (base->link < 0) {
-    base->link = std::max(model.FindLink("base_link"), model.root);
-    if (model.FindLink("base_link") >= 0) base->link = model.FindLink("base_link");
+    const int base_link = model.FindLink("base_link");
+    base->link = base_link >= 0 ? base_link : model.root;
   }
   return *base;
 }

@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "robots/urdf/infer.h"
+#include "robots/urdf/quote.h"
 
 namespace lares::urdf {
 namespace {
@@ -11,8 +12,6 @@ namespace {
 using Kind = Sensor::Kind;
 
 constexpr double kVertical = 0.7;
-
-std::string Quote(const std::string& name) { return "'" + name + "'"; }
 
 // A camera's body frame where an optical frame hangs on it; -1 when the link is none.
 int CarrierOfOptical(const Model& model, int link) {

@@ -12,31 +12,46 @@ constexpr double kNearFloor_m = 0.35;  // what begins below counts as standing o
 constexpr double kNothing_m = 0.005;   // shapes smaller than this stand for nothing
 constexpr int kCircleCorners = 24;
 
-// Points whose convex hull holds the shape.
-std::vector<Eigen::Vector3d> CornersOf(const Shape& shape) {
+// Corners of a polygon around the unit circle: its sides touch the circle, four of them on the
+// axes.
+std::vector<Eigen::Vector2d> AroundCircle() {
+  std::vector<Eigen::Vector2d> corners;
+  constexpr double kHalfSide = M_PI / kCircleCorners;
+  for (int i = 0; i < kCircleCorners; ++i) {
+    const double angle = (2 * i + 1) * kHalfSide;
+    corners.emplace_back(std::cos(angle) / std::cos(kHalfSide),
+                         std::sin(angle) / std::cos(kHalfSide));
+  }
+  return corners;
+}
+
+// Points in the base frame: their hull seen from above holds the shape, and none of it is above the
+// highest or below the lowest.
+std::vector<Eigen::Vector3d> CornersOf(const Shape& shape, const RigidTransform& base_from_shape) {
   std::vector<Eigen::Vector3d> corners;
   if (shape.kind == Shape::Kind::kBox) {
     for (int i = 0; i < 8; ++i) {
-      corners.emplace_back((i & 1 ? 0.5 : -0.5) * shape.size_m.x(),
-                           (i & 2 ? 0.5 : -0.5) * shape.size_m.y(),
-                           (i & 4 ? 0.5 : -0.5) * shape.size_m.z());
+      const Eigen::Vector3d corner((i & 1 ? 0.5 : -0.5) * shape.size_m.x(),
+                                   (i & 2 ? 0.5 : -0.5) * shape.size_m.y(),
+                                   (i & 4 ? 0.5 : -0.5) * shape.size_m.z());
+      corners.push_back(base_from_shape * corner);
     }
   } else if (shape.kind == Shape::Kind::kCylinder) {
-    for (int i = 0; i < kCircleCorners; ++i) {
-      const double angle = 2 * M_PI * i / kCircleCorners;
+    for (const Eigen::Vector2d& around : AroundCircle()) {
       for (const double end : {-0.5, 0.5}) {
-        corners.emplace_back(shape.radius_m * std::cos(angle), shape.radius_m * std::sin(angle),
-                             end * shape.length_m);
+        const Eigen::Vector3d corner(shape.radius_m * around.x(), shape.radius_m * around.y(),
+                                     end * shape.length_m);
+        corners.push_back(base_from_shape * corner);
       }
     }
   } else if (shape.kind == Shape::Kind::kSphere) {
-    for (int i = 0; i < kCircleCorners; ++i) {
-      const double angle = 2 * M_PI * i / kCircleCorners;
-      const Eigen::Vector3d level(std::cos(angle), std::sin(angle), 0);
-      corners.push_back(shape.radius_m * level);
+    // However the shape is turned, a sphere is not.
+    const Eigen::Vector3d& centre_m = base_from_shape.translation_m;
+    for (const Eigen::Vector2d& around : AroundCircle()) {
+      corners.push_back(centre_m + shape.radius_m * Eigen::Vector3d(around.x(), around.y(), 0));
     }
-    corners.emplace_back(0, 0, shape.radius_m);
-    corners.emplace_back(0, 0, -shape.radius_m);
+    corners.push_back(centre_m + shape.radius_m * Eigen::Vector3d::UnitZ());
+    corners.push_back(centre_m - shape.radius_m * Eigen::Vector3d::UnitZ());
   }
   return corners;
 }
@@ -58,8 +73,9 @@ PointsOf ShapesOf(const Link& link, const RigidTransform& base_from_link) {
     for (const Shape& shape : shapes) {
       found.has_mesh = found.has_mesh || shape.kind == Shape::Kind::kMesh;
       if (IsNothing(shape)) continue;
-      for (const Eigen::Vector3d& corner : CornersOf(shape)) {
-        found.points.push_back(base_from_link * (shape.link_from_shape * corner));
+      for (const Eigen::Vector3d& corner :
+           CornersOf(shape, base_from_link * shape.link_from_shape)) {
+        found.points.push_back(corner);
       }
     }
   };
@@ -159,7 +175,8 @@ std::optional<Footprint> InferFootprint(const Model& model, const Kinematics& ki
   std::vector<std::string> names(used.begin(), used.end());
   if (names.size() > 6) names = {names.begin(), names.begin() + 6}, names.push_back("…");
   footprint.reason = "hull of the shapes near the floor of " + Join(names, ", ");
-  if (!meshes.empty()) {
+  footprint.is_lower_bound = !meshes.empty();
+  if (footprint.is_lower_bound) {
     footprint.reason += "; meshes are not opened, so that of " +
                         Join({meshes.begin(), meshes.end()}, ", ") +
                         " nothing is in it: the true footprint may be larger";
@@ -183,11 +200,15 @@ std::optional<BodyHeight> InferHeight(const Model& model, const Kinematics& kine
       of = model.links[At(link)].name;
     }
   }
-  const double height = highest - body.floor_m;
-  if (!(height > 0.01)) return std::nullopt;
-  return BodyHeight{height,
-                    "top of '" + of + "' with all joints at zero" +
-                        (has_mesh ? "; meshes are not opened, so it is at least this" : "")};
+  BodyHeight height;
+  height.height_m = highest - body.floor_m;
+  if (!(height.height_m > 0.01)) return std::nullopt;
+  height.is_lower_bound = has_mesh || !body.arms.empty() || !body.torsos.empty();
+  height.reason = "top of '" + of + "' with all joints at zero";
+  if (has_mesh) height.reason += "; meshes are not opened, so it is at least this";
+  if (!body.arms.empty()) height.reason += "; arms may reach higher";
+  if (!body.torsos.empty()) height.reason += "; a torso may be raised";
+  return height;
 }
 
 }  // namespace lares::urdf

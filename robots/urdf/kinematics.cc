@@ -2,12 +2,9 @@
 
 #include <algorithm>
 
+#include "robots/urdf/infer.h"
+
 namespace lares::urdf {
-namespace {
-
-std::size_t At(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 Kinematics MakeKinematics(const Model& model) {
   Kinematics kinematics;

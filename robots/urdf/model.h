@@ -48,10 +48,10 @@ struct Joint {
   int parent = -1, child = -1;                      // of Model::links
   RigidTransform parent_from_child;                 // with the joint at zero
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  // in the child's frame; length 1
-  std::optional<double> lower, upper;               // radians or metres
-  std::optional<double> effort, velocity;           // N m or N; rad/s or m/s
-  std::string mimic;                                // the joint that it follows; may be empty
-  bool actuated = false;                            // a transmission or ros2_control drives it
+  std::optional<double> lower, upper;      // radians or metres; of revolute and prismatic ones
+  std::optional<double> effort, velocity;  // N m or N; rad/s or m/s
+  std::string mimic;                       // the joint that it follows; may be empty
+  bool actuated = false;                   // a transmission or ros2_control drives it
 };
 std::string_view ToString(Joint::Kind kind);  // "fixed", "revolute", …
 inline bool Moves(const Joint& joint) { return joint.kind != Joint::Kind::kFixed; }

@@ -120,9 +120,13 @@ Joint ToJoint(const ::urdf::Joint& parsed, const RawJoint& raw) {
   const Eigen::Vector3d axis(parsed.axis.x, parsed.axis.y, parsed.axis.z);
   if (axis.stableNorm() > 1e-9) joint.axis = axis.stableNormalized();
   if (raw.limit) {
-    const bool has_ends = joint.kind != Joint::Kind::kContinuous && parsed.limits != nullptr;
-    if (has_ends) joint.lower = parsed.limits->lower;
-    if (has_ends) joint.upper = parsed.limits->upper;
+    // Other joints have no ends, and urdfdom says 0 of what is not written.
+    const bool has_ends =
+        joint.kind == Joint::Kind::kRevolute || joint.kind == Joint::Kind::kPrismatic;
+    if (has_ends && (raw.limit->lower || raw.limit->upper)) {
+      joint.lower = raw.limit->lower.value_or(0);
+      joint.upper = raw.limit->upper.value_or(0);
+    }
     joint.effort = raw.limit->effort;
     joint.velocity = raw.limit->velocity;
   }

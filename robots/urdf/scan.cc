@@ -188,9 +188,7 @@ void ReadActuated(const Element& root, std::vector<std::string>& actuated) {
   for (const Element& element : root.children) {
     if (element.name == "transmission") {
       for (const Element& part : element.children) {
-        if (part.name == "joint" || part.name.ends_with("_joint") || part.name == "gap_joint") {
-          add(part);
-        }
+        if (part.name == "joint" || part.name.ends_with("_joint")) add(part);
         // Wheels in pairs: <rollJoint name=…/>, <flexJoint name=…/>.
         if (part.name.ends_with("Joint")) add(part);
       }

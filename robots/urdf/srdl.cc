@@ -126,6 +126,7 @@ void AddBase(Writing& writing) {
   if (base.kind == BaseKind::kDifferential) kind = "lares:DifferentialBase";
   if (base.kind == BaseKind::kHolonomic) kind = "lares:HolonomicBase";
   if (base.kind == BaseKind::kTracked) kind = "lares:TrackedBase";
+  if (base.kind == BaseKind::kWheeled) kind = "lares:WheeledBase";
   if (base.kind == BaseKind::kFixed) kind = "lares:Base";
   if (kind == nullptr) return;
   node.Add("a", kind);
@@ -317,7 +318,11 @@ void AddStated(Writing& writing, Node& robot) {
 
 void AddMeasures(const Writing& writing, Node& robot) {
   const Body& body = writing.body;
-  if (body.footprint) {
+  // What may be larger is not stated as the robot's size: whoever reads it would clear too little.
+  if (body.footprint && body.footprint->is_lower_bound) {
+    robot.AddDouble("lares:minFootprintRadius_m", body.footprint->radius_m);
+    robot.Add("rdfs:comment", English("footprint: " + body.footprint->reason));
+  } else if (body.footprint) {
     std::string polygon;
     for (const Eigen::Vector2d& corner : body.footprint->polygon_m) {
       const std::string numbers = Numbers({corner.x(), corner.y(), 0});
@@ -330,7 +335,8 @@ void AddMeasures(const Writing& writing, Node& robot) {
     robot.Add("rdfs:comment", English("footprint: " + body.footprint->reason));
   }
   if (body.height) {
-    robot.AddDouble("lares:bodyHeight_m", body.height->height_m);
+    robot.AddDouble(body.height->is_lower_bound ? "lares:minBodyHeight_m" : "lares:bodyHeight_m",
+                    body.height->height_m);
     robot.Add("rdfs:comment", English("height: " + body.height->reason));
   }
   if (body.mass_kg > 0) robot.AddDouble("lares:mass_kg", body.mass_kg);
@@ -357,7 +363,7 @@ std::string Preamble(const Writing& writing, const std::string& label) {
 
 bool IsMobile(BaseKind kind) {
   return kind == BaseKind::kDifferential || kind == BaseKind::kHolonomic ||
-         kind == BaseKind::kTracked;
+         kind == BaseKind::kTracked || kind == BaseKind::kWheeled;
 }
 
 }  // namespace
@@ -376,6 +382,9 @@ std::string ToSrdl(const Model& model, const Kinematics& kinematics, const Body&
   robot.Add("rdfs:label", English(label));
   AddMeasures(writing, robot);
   robot.Add("lares:succeedingLink", writing.links[At(model.root)]);
+  if (body.base_frame != model.root) {
+    robot.Add("lares:baseFrameLink", writing.links[At(body.base_frame)]);
+  }
   AddBase(writing);
   AddHeadsAndTorsos(writing);
   AddSensors(writing);

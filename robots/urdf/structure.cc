@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/text.h"
+#include "robots/urdf/quote.h"
 
 namespace lares::urdf {
 namespace {
@@ -11,8 +12,6 @@ namespace {
 using Severity = Finding::Severity;
 
 constexpr std::size_t kMostNamed = 8;
-
-std::string Quote(const std::string& name) { return "'" + name + "'"; }
 
 template <typename Part>
 std::map<std::string, int> LinesByName(const std::vector<Part>& parts, const std::string& noun,
@@ -31,32 +30,41 @@ std::map<std::string, int> LinesByName(const std::vector<Part>& parts, const std
   return lines;
 }
 
-std::vector<std::string> Names(const std::map<std::string, int>& names) {
-  std::vector<std::string> all;
-  for (const auto& [name, line] : names) all.push_back(name);
-  return all;
-}
+// Says what a name may have stood for. Each answer compares the name with all that are known, so
+// only the first names get one, and none where that is much work: a document of a few megabytes
+// must not take minutes to refuse.
+class Suggestions {
+ public:
+  std::string Alike(const std::string& name, const std::map<std::string, int>& known) {
+    if (left_ == 0 || known.size() * name.size() * name.size() > kMostCompared) return "";
+    --left_;
+    std::vector<std::string> names;
+    for (const auto& [each, line] : known) names.push_back(each);
+    const auto similar = SimilarNames(name, names);
+    return similar.empty() ? "" : "did you mean " + Join(similar, " or ") + "?";
+  }
 
-std::string Alike(const std::string& name, const std::map<std::string, int>& known) {
-  const auto similar = SimilarNames(name, Names(known));
-  return similar.empty() ? "" : "did you mean " + Join(similar, " or ") + "?";
-}
+ private:
+  static constexpr std::size_t kMostCompared = 20'000'000;  // pairs of characters for one name
+  std::size_t left_ = kMostSuggested;
+};
 
 void CheckReferences(const RawRobot& robot, const std::map<std::string, int>& links,
                      const std::map<std::string, int>& joints, Reading& reading) {
+  Suggestions suggestions;
   for (const RawJoint& joint : robot.joints) {
     for (const auto& [end, link] : {std::pair("parent", joint.parent), {"child", joint.child}}) {
       if (link.empty() || links.contains(link)) continue;
       reading.Fault("no-link", joint.line,
                     "the joint " + Quote(joint.name) + " has the " + end + " " + Quote(link) +
                         ", and there is no such link",
-                    Alike(link, links));
+                    suggestions.Alike(link, links));
     }
     if (!joint.mimic.empty() && !joints.contains(joint.mimic)) {
       reading.Add(Severity::kWarning, "no-joint", joint.line,
                   "the joint " + Quote(joint.name) + " follows " + Quote(joint.mimic) +
                       ", and there is no such joint",
-                  Alike(joint.mimic, joints));
+                  suggestions.Alike(joint.mimic, joints));
     }
   }
   for (const RawSensor& sensor : robot.sensors) {
@@ -65,7 +73,7 @@ void CheckReferences(const RawRobot& robot, const std::map<std::string, int>& li
     reading.Add(Severity::kWarning, "sensor-nowhere", sensor.sensor.line,
                 "the sensor " + Quote(sensor.sensor.name) + " sits on the link " +
                     Quote(sensor.link) + ", and there is no such link; it is left out",
-                Alike(sensor.link, links));
+                suggestions.Alike(sensor.link, links));
   }
 }
 

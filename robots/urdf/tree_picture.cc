@@ -178,7 +178,7 @@ std::string DotQuoted(const std::string& text) {
 
 }  // namespace
 
-std::string ToSvg(const Model& model, const Kinematics&, const Body& body) {
+std::string ToSvg(const Model& model, const Body& body) {
   const std::vector<Row> rows = MakeRows(model, body);
   std::vector<std::size_t> row_of(model.links.size());
   for (const Row& row : rows) row_of[At(row.link)] = row.index;
@@ -209,7 +209,7 @@ std::string ToSvg(const Model& model, const Kinematics&, const Body& body) {
          Text(kMargin, 32, "class=\"t\"", title) + Legend() + edges + boxes + "</svg>\n";
 }
 
-std::string ToDot(const Model& model, const Kinematics&, const Body& body) {
+std::string ToDot(const Model& model, const Body& body) {
   std::string dot = "digraph " + DotQuoted(model.name) +
                     " {\n  rankdir=LR;\n  node [shape=box, style=filled, fillcolor=white];\n";
   for (std::size_t i = 0; i < model.links.size(); ++i) {

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "robots/urdf/body.h"
-#include "robots/urdf/kinematics.h"
 #include "robots/urdf/model.h"
 
 namespace lares::urdf {
@@ -13,9 +12,9 @@ namespace lares::urdf {
 // with the joint's kind, the joint's name behind the box, and what the link is to the robot (base,
 // sensor, arm, gripper) as marks. Stands alone: no
 // scripts, nothing from elsewhere.
-std::string ToSvg(const Model& model, const Kinematics& kinematics, const Body& body);
+std::string ToSvg(const Model& model, const Body& body);
 
 // The same for Graphviz.
-std::string ToDot(const Model& model, const Kinematics& kinematics, const Body& body);
+std::string ToDot(const Model& model, const Body& body);
 
 }  // namespace lares::urdf

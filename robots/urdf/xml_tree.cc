@@ -227,7 +227,11 @@ bool IsUrdf(std::string_view bytes) {
   const std::size_t at = prolog.doctype ? bytes.find("<robot", *prolog.doctype) : prolog.root;
   if (at == std::string_view::npos) return false;
   const std::string_view rest = bytes.substr(at);
-  return rest.starts_with("<robot") && (rest.size() == 6 || !IsNameByte(rest[6]));
+  if (!rest.starts_with("<robot")) return false;
+  const std::string_view after = rest.substr(6);
+  // Turtle may begin with the IRI <robot#1>.
+  return after.starts_with('>') || after.starts_with("/>") ||
+         (!after.empty() && std::string_view(" \t\r\n").find(after[0]) != std::string_view::npos);
 }
 
 Element ReadXmlTree(std::string_view bytes, const std::string& source, const Limits& limits) {

@@ -152,8 +152,8 @@ http::Response ShowTree(const http::Request& request, Context& context) {
     response.headers.Set("Content-Security-Policy",
                          "default-src 'none'; style-src 'unsafe-inline'");
   }
-  response.body = as == "svg" ? urdf::ToSvg(robot.model, robot.kinematics, robot.body)
-                              : urdf::ToDot(robot.model, robot.kinematics, robot.body);
+  response.body =
+      as == "svg" ? urdf::ToSvg(robot.model, robot.body) : urdf::ToDot(robot.model, robot.body);
   return response;
 }
 
@@ -190,10 +190,13 @@ Json ToJson(const urdf::Imported& imported, const std::vector<recipes::Resource>
     json["footprint"] = {{"length_m", body.footprint->length_m},
                          {"width_m", body.footprint->width_m},
                          {"radius_m", body.footprint->radius_m},
+                         {"is_lower_bound", body.footprint->is_lower_bound},
                          {"reason", body.footprint->reason}};
   }
   if (body.height) {
-    json["height"] = {{"height_m", body.height->height_m}, {"reason", body.height->reason}};
+    json["height"] = {{"height_m", body.height->height_m},
+                      {"is_lower_bound", body.height->is_lower_bound},
+                      {"reason", body.height->reason}};
   }
   json.update(LimbsJson(model, body));
   json["sensors"] = Json::array();

@@ -73,11 +73,19 @@ Json TurnIntoSrdl(const http::Request& request, Context& context, server::PutReq
   return ToJson(imported, stated);
 }
 
+// Stated, or known by its root element where the stated type leaves it open; what says to be Turtle
+// is read as that.
+bool IsUrdf(const server::PutRequest& put) {
+  if (put.media_type == kUrdfType) return true;
+  const bool is_open = put.media_type.empty() || put.media_type == "application/xml";
+  return is_open && urdf::IsUrdf(put.bytes);
+}
+
 http::Response PutRobot(const http::Request& request, Context& context) {
   server::PutRequest put = ToPutRequest(store::DocumentKind::kRobot, request, context.store);
   ReadRights(request, put);
   Json report;
-  if (put.media_type == kUrdfType || urdf::IsUrdf(put.bytes)) {
+  if (IsUrdf(put)) {
     report = TurnIntoSrdl(request, context, put);
   } else {
     RefuseUrdfsOwn(request);

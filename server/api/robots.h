@@ -19,8 +19,8 @@ struct StoredUrdf {
   store::Blob blob;
   std::string file_name;
 };
-// By any of the robot's names; `version` 0 is the newest. Throws kNotFound, too where the robot was
-// put as SRDL.
+// Of the newest version by any of the robot's names (`version` 0), of an older one by its id.
+// Throws kNotFound, too where the robot was put as SRDL.
 StoredUrdf FindUrdf(Context& context, const std::string& robot, int version = 0);
 
 // What was concluded, each conclusion with its reason.

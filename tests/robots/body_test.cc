@@ -47,21 +47,100 @@ TEST(BodyTest, WheelsWhoseAxesPointInSeveralDirectionsAreHolonomic) {
   EXPECT_THAT(robot.body.base.reason, HasSubstr("3 directions"));
 }
 
-TEST(BodyTest, WheelsThatDrivenJointsSteerAreHolonomicAndCastersThatOnlyFollowAreNot) {
-  std::string text =
-      LinkText("base_link") + Wheel("left_wheel") + Wheel("right_wheel") + LinkText("left_caster") +
-      LinkText("right_caster") + Wheel("wheel_a") + Wheel("wheel_b") +
-      Turning("left_wheel_joint", "base_link", "left_wheel", "0 0.2 0", "0 1 0") +
-      Turning("right_wheel_joint", "base_link", "right_wheel", "0 -0.2 0", "0 1 0") +
-      Turning("left_caster_joint", "base_link", "left_caster", "0.2 0.1 0", "0 0 1") +
-      Turning("right_caster_joint", "base_link", "right_caster", "0.2 -0.1 0", "0 0 1") +
-      Turning("wheel_a_joint", "left_caster", "wheel_a", "0 0 0", "0 1 0") +
-      Turning("wheel_b_joint", "right_caster", "wheel_b", "0 0 0", "0 1 0");
-  EXPECT_EQ(Import(Robot(text)).body.base.kind, BaseKind::kDifferential);
-  for (const char* joint : {"left_caster_joint", "right_caster_joint"}) {
-    text += std::string("<transmission name=\"t\"><joint name=\"") + joint + "\"/></transmission>";
+std::string Driven(const std::vector<std::string>& joints) {
+  std::string text;
+  for (const std::string& joint : joints) {
+    text += "<transmission name=\"t\"><joint name=\"" + joint + "\"/></transmission>";
   }
-  EXPECT_EQ(Import(Robot(text)).body.base.kind, BaseKind::kHolonomic);
+  return text;
+}
+
+// A wheel on a joint of its own that turns it about the vertical.
+std::string SteeredWheel(const std::string& name, const std::string& xyz,
+                         const std::string& type = "continuous", const std::string& limit = "") {
+  return LinkText(name + "_caster") + Wheel(name) +
+         JointText(name + "_caster_joint", type, "base_link", name + "_caster",
+                   Origin(xyz) + "<axis xyz=\"0 0 1\"/>" + limit) +
+         Turning(name + "_joint", name + "_caster", name, "0 0 0", "0 1 0");
+}
+
+std::string RearWheels() {
+  return LinkText("base_link") + Wheel("left_wheel") + Wheel("right_wheel") +
+         Turning("left_wheel_joint", "base_link", "left_wheel", "0 0.2 0", "0 1 0") +
+         Turning("right_wheel_joint", "base_link", "right_wheel", "0 -0.2 0", "0 1 0");
+}
+
+TEST(BodyTest, WheelsThatDrivenJointsSteerAreHolonomicAndCastersThatOnlyFollowAreNot) {
+  const std::string casters =
+      SteeredWheel("wheel_a", "0.2 0.1 0") + SteeredWheel("wheel_b", "0.2 -0.1 0");
+  const auto followed = Import(Robot(RearWheels() + casters)).body.base;
+  EXPECT_EQ(followed.kind, BaseKind::kDifferential);
+  EXPECT_THAT(followed.reason, HasSubstr("'wheel_a', 'wheel_b' only follow"));
+  EXPECT_EQ(Import(Robot(LinkText("base_link") + casters +
+                         Driven({"wheel_a_caster_joint", "wheel_b_caster_joint"})))
+                .body.base.kind,
+            BaseKind::kHolonomic);
+}
+
+TEST(BodyTest, ACarWithSteeredWheelsBeforeFixedOnesCannotMoveSideways) {
+  const auto driven = Import(Robot(RearWheels() + SteeredWheel("wheel_a", "0.2 0.1 0") +
+                                   SteeredWheel("wheel_b", "0.2 -0.1 0") +
+                                   Driven({"left_wheel_joint", "right_wheel_joint",
+                                           "wheel_a_caster_joint", "wheel_b_caster_joint"})))
+                          .body.base;
+  EXPECT_EQ(driven.kind, BaseKind::kWheeled);
+  EXPECT_EQ(ToString(driven.kind), "wheeled");
+  EXPECT_THAT(driven.reason, HasSubstr("cannot move sideways"));
+  // As most cars are written: no transmissions, and hinges with limits.
+  const std::string limit = "<limit lower=\"-0.6\" upper=\"0.6\" effort=\"1\" velocity=\"1\"/>";
+  const auto hinge = [&](const std::string& side, const std::string& xyz) {
+    const std::string name = "front_" + side;
+    return LinkText(name + "_hinge") + Wheel(name + "_wheel") +
+           JointText(name + "_hinge_joint", "revolute", "base_link", name + "_hinge",
+                     Origin(xyz) + "<axis xyz=\"0 0 1\"/>" + limit) +
+           Turning(name + "_axle", name + "_hinge", name + "_wheel", "0 0 0", "0 1 0");
+  };
+  const std::string front = hinge("left", "0.2 0.2 0") + hinge("right", "0.2 -0.2 0");
+  EXPECT_EQ(Import(Robot(RearWheels() + front)).body.base.kind, BaseKind::kWheeled);
+  // Steered all of them, and none far enough.
+  EXPECT_EQ(Import(Robot(LinkText("base_link") + front)).body.base.kind, BaseKind::kWheeled);
+}
+
+TEST(BodyTest, NonholonomicIsNotHolonomic) {
+  const auto kind = [](const std::string& file) {
+    return Import(Robot(LinkText("a") + "<gazebo><plugin name=\"p\" filename=\"" + file +
+                        "\"/></gazebo>"))
+        .body.base.kind;
+  };
+  EXPECT_EQ(kind("libholonomic_drive.so"), BaseKind::kHolonomic);
+  for (const char* file : {"libnonholonomic_drive.so", "libnon_holonomic.so", "Non-Holonomic.so"}) {
+    EXPECT_EQ(kind(file), BaseKind::kUnknown) << file;
+  }
+  EXPECT_EQ(kind("libgazebo_ros_ackermann_drive.so"), BaseKind::kWheeled);
+}
+
+TEST(BodyTest, AGantryIsNoBaseAndSlidesThatTurnAsWellAreOne) {
+  const auto slide = [](const std::string& name, const std::string& parent,
+                        const std::string& axis) {
+    return LinkText(name) + JointText(name + "_joint", "prismatic", parent, name,
+                                      "<axis xyz=\"" + axis +
+                                          "\"/><limit lower=\"0\" upper=\"2\" effort=\"1\" "
+                                          "velocity=\"1\"/>");
+  };
+  const std::string across =
+      LinkText("world") + slide("x", "world", "1 0 0") + slide("y", "x", "0 1 0");
+  EXPECT_NE(Import(Robot(across)).body.base.kind, BaseKind::kHolonomic);
+  const std::string tool = slide("z", "y", "0 0 1") + LinkText("tool") +
+                           Turning("tool_joint", "z", "tool", "0 0 0", "0 0 1");
+  EXPECT_EQ(Import(Robot(across + tool)).body.base.kind, BaseKind::kFixed);
+  const std::string base =
+      LinkText("base_link") + Turning("yaw", "y", "base_link", "0 0 0", "0 0 1");
+  EXPECT_EQ(Import(Robot(across + base)).body.base.kind, BaseKind::kHolonomic);
+  // Two that slide along each other are a telescope.
+  EXPECT_NE(Import(Robot(LinkText("world") + slide("x", "world", "1 0 0") +
+                         slide("y", "x", "1 0 0") + base))
+                .body.base.kind,
+            BaseKind::kHolonomic);
 }
 
 TEST(BodyTest, APluginAPlanarJointOrTracksTellHowTheBaseMoves) {
@@ -102,6 +181,56 @@ TEST(BodyTest, TheFootprintIsTheHullOfTheShapesNearTheFloor) {
   EXPECT_NEAR(robot.body.floor_m, 0, 1e-9);
   ASSERT_TRUE(robot.body.height);
   EXPECT_NEAR(robot.body.height->height_m, 1.0, 1e-9);  // the camera on its mast
+}
+
+// How far the footprint reaches beyond a circle about the origin, and how far within it stays.
+struct Around {
+  double nearest_side_m = 1e9, furthest_corner_m = 0;
+};
+Around MeasureAround(const urdf::Footprint& footprint) {
+  Around around;
+  for (std::size_t i = 0; i < footprint.polygon_m.size(); ++i) {
+    const Eigen::Vector2d& from = footprint.polygon_m[i];
+    const Eigen::Vector2d& to = footprint.polygon_m[(i + 1) % footprint.polygon_m.size()];
+    const double area = from.x() * to.y() - from.y() * to.x();
+    around.nearest_side_m = std::min(around.nearest_side_m, area / (to - from).norm());
+    around.furthest_corner_m = std::max(around.furthest_corner_m, from.norm());
+  }
+  return around;
+}
+
+std::string RoundRobot(const std::string& shape, const std::string& rpy) {
+  return Robot(LinkText("base_link", "<collision>" + Origin("0 0 0", rpy) + "<geometry>" + shape +
+                                         "</geometry></collision>"));
+}
+
+TEST(BodyTest, ASphereIsHeldHoweverItIsTurned) {
+  for (const char* rpy : {"0 0 0", "0.785 0 0", "0.3 0.785 0.1", "1.5707963 0 0"}) {
+    const auto body = Import(RoundRobot("<sphere radius=\"0.25\"/>", rpy)).body;
+    ASSERT_TRUE(body.footprint && body.height) << rpy;
+    EXPECT_NEAR(body.footprint->width_m, 0.5, 1e-9) << rpy;
+    EXPECT_NEAR(body.footprint->length_m, 0.5, 1e-9) << rpy;
+    EXPECT_GE(MeasureAround(*body.footprint).nearest_side_m, 0.25 - 1e-9) << rpy;
+    EXPECT_NEAR(body.height->height_m, 0.25, 1e-9) << rpy;
+  }
+}
+
+TEST(BodyTest, ACylinderIsHeldHoweverItIsTurned) {
+  const std::string upright = "<cylinder radius=\"0.25\" length=\"0.2\"/>";
+  for (const char* rpy : {"0 0 0", "0 0 0.1308996939", "0 0 0.7"}) {
+    const auto body = Import(RoundRobot(upright, rpy)).body;
+    ASSERT_TRUE(body.footprint) << rpy;
+    EXPECT_GE(MeasureAround(*body.footprint).nearest_side_m, 0.25 - 1e-9) << rpy;
+    EXPECT_LE(MeasureAround(*body.footprint).furthest_corner_m, 0.25 * 1.009) << rpy;
+  }
+  const auto body = Import(RoundRobot(upright, "0 0 0")).body;
+  EXPECT_NEAR(body.footprint->width_m, 0.5, 1e-9);
+  // Lying, and turned about its own axis: the top is no lower than the radius.
+  for (const char* rpy : {"1.5707963268 0 0", "1.5707963268 0.13 0", "1.5707963268 0.4 0"}) {
+    const auto lying = Import(RoundRobot(upright, rpy)).body;
+    ASSERT_TRUE(lying.height) << rpy;
+    EXPECT_GE(lying.height->height_m, 0.25 - 1e-9) << rpy;
+  }
 }
 
 TEST(BodyTest, MeshesAreNotOpenedAndTheFootprintSaysSo) {

@@ -92,6 +92,19 @@ TEST(DoctorTest, LimitsAreExamined) {
               ::testing::IsSupersetOf({"no-effort", "no-velocity"}));
 }
 
+TEST(DoctorTest, JointsWithoutEndsAreNotSaidToStandStill) {
+  const auto codes = [](const std::string& type) {
+    return CodesOf(
+        Robot(LinkText("base_link") + LinkText("b") +
+              JointText("j", type, "base_link", "b", "<limit effort=\"1\" velocity=\"1\"/>")));
+  };
+  for (const char* type : {"planar", "floating", "fixed"}) {
+    EXPECT_THAT(codes(type), Not(Contains("limits-equal"))) << type;
+    EXPECT_THAT(codes(type), Not(Contains("no-ends"))) << type;
+  }
+  EXPECT_THAT(codes("revolute"), Contains("no-ends"));
+}
+
 TEST(DoctorTest, WhatCannotBeReadIsAFindingWithItsLine) {
   const auto findings = urdf::Examine("<robot name=\"r\">\n<link", "bad.urdf");
   ASSERT_EQ(findings.size(), 1u);

@@ -19,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     urdf::SrdlOptions options;
     options.id = "fuzz";
     const std::string srdl = urdf::ToSrdl(robot.model, robot.kinematics, robot.body, options);
-    urdf::ToSvg(robot.model, robot.kinematics, robot.body);
+    urdf::ToSvg(robot.model, robot.body);
     rdf::ReadOptions read;
     read.base_iri = "urn:x";
     try {

@@ -1,9 +1,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "base/error.h"
+#include "robots/urdf/doctor.h"
 #include "robots/urdf/import.h"
 #include "robots/urdf/srdl.h"
+#include "robots/urdf/structure.h"
 #include "tests/robots/robot_texts.h"
 
 namespace lares::testing {
@@ -63,6 +67,39 @@ TEST(HostileUrdfTest, AMissingLinkIsNamedWithWhatItMayBe) {
       Refused(Robot(LinkText("base_link") + JointText("j", "fixed", "base_lonk", "base_link")));
   EXPECT_THAT(error.what(), HasSubstr("'base_lonk'"));
   EXPECT_THAT(error.hint(), HasSubstr("base_link"));
+}
+
+// How many findings say what a name may have stood for.
+std::size_t Suggested(const std::vector<urdf::Finding>& findings) {
+  return static_cast<std::size_t>(
+      std::count_if(findings.begin(), findings.end(), [](const urdf::Finding& finding) {
+        return finding.remedy.find("did you mean") != std::string::npos;
+      }));
+}
+
+TEST(HostileUrdfTest, OnlyTheFirstMissingNamesAreComparedWithAllOthers) {
+  std::string text;
+  for (int i = 10; i < 60; ++i) {
+    const std::string link = "link_" + std::to_string(i);
+    text +=
+        LinkText(link) + JointText("joint_" + std::to_string(i), "fixed", link + "_", link + "0");
+  }
+  const auto findings = urdf::Examine(Robot(text), "bad.urdf");
+  EXPECT_GE(findings.size(), 100u);
+  EXPECT_EQ(Suggested(findings), urdf::kMostSuggested);
+}
+
+TEST(HostileUrdfTest, ThousandsOfLongWrongNamesAreRefusedWithoutComparingThem) {
+  std::string text;
+  for (int i = 10'000; i < 12'000; ++i) {
+    const std::string link = std::string(250, 'a' + i % 26) + std::to_string(i);
+    text += LinkText(link) + JointText("j" + std::to_string(i), "fixed", "x" + link.substr(1),
+                                       "y" + link.substr(1), "<mimic joint=\"z" + link + "\"/>");
+  }
+  const auto findings = urdf::Examine(Robot(text), "bad.urdf");
+  EXPECT_GE(findings.size(), 200u);
+  // One suggestion for such a name alone compares a hundred million pairs of characters.
+  EXPECT_EQ(Suggested(findings), 0u);
 }
 
 TEST(HostileUrdfTest, AJointWithoutParentChildOrTypeIsNamed) {

@@ -47,6 +47,28 @@ TEST(ReadUrdfTest, LinksJointsLimitsAndMassesAreRead) {
   EXPECT_LT((moved - Eigen::Vector3d(0.1, 1.2, 0.3)).norm(), 1e-9);
 }
 
+TEST(ReadUrdfTest, OnlyTurningAndSlidingJointsThatStateEndsHaveThem) {
+  const auto joint = [](const std::string& type, const std::string& limit) {
+    return Read(Robot(LinkText("a") + LinkText("b") +
+                      JointText("j", type, "a", "b",
+                                "<limit effort=\"1\" velocity=\"2\"" + limit + "/>")))
+        .joints[0];
+  };
+  const std::string ends = " lower=\"-1\" upper=\"2\"";
+  for (const char* type : {"planar", "fixed", "floating", "continuous"}) {
+    for (const std::string& limit : {std::string(), ends}) {
+      EXPECT_FALSE(joint(type, limit).lower || joint(type, limit).upper) << type << limit;
+      EXPECT_THAT(joint(type, limit).velocity, Optional(2.0)) << type;
+    }
+  }
+  for (const char* type : {"revolute", "prismatic"}) {
+    EXPECT_THAT(joint(type, ends).lower, Optional(-1.0)) << type;
+    EXPECT_THAT(joint(type, ends).upper, Optional(2.0)) << type;
+    EXPECT_THAT(joint(type, " upper=\"2\"").lower, Optional(0.0)) << type;
+    EXPECT_FALSE(joint(type, "").lower || joint(type, "").upper) << type;
+  }
+}
+
 TEST(ReadUrdfTest, NumbersArriveExactly) {
   const Model model =
       Read(Robot(LinkText("a") + LinkText("b") +
@@ -143,7 +165,11 @@ TEST(ReadUrdfTest, AUrdfIsKnownByItsRoot) {
   EXPECT_TRUE(urdf::IsUrdf("<?xml version=\"1.0\"?>\n<!-- <rdf:RDF> -->\n<robot name=\"x\"/>"));
   EXPECT_TRUE(urdf::IsUrdf("\xEF\xBB\xBF<robot/>"));
   EXPECT_FALSE(urdf::IsUrdf("<rdf:RDF><robot/></rdf:RDF>"));
+  EXPECT_TRUE(urdf::IsUrdf("<robot\n name=\"x\"/>"));
+  EXPECT_TRUE(urdf::IsUrdf("<robot><link/></robot>"));
   EXPECT_FALSE(urdf::IsUrdf("<robots/>"));
+  EXPECT_FALSE(urdf::IsUrdf("<robot#scout1> a <urn:Robot> ."));
+  EXPECT_FALSE(urdf::IsUrdf("<robot/scout1> a <urn:Robot> ."));
   EXPECT_FALSE(urdf::IsUrdf("@prefix robot: <urn:x> ."));
   EXPECT_FALSE(urdf::IsUrdf(""));
 }

@@ -5,6 +5,8 @@
 
 #include "base/file.h"
 #include "ontology/rdf/reader.h"
+#include "robots/urdf/import.h"
+#include "tests/robots/robot_texts.h"
 
 namespace lares::robots {
 namespace {
@@ -45,7 +47,6 @@ TEST(RobotBodyTest, ScoutStatesEverything) {
   EXPECT_EQ(body.footprint_length_m, 0.42);
   EXPECT_EQ(body.footprint_width_m, 0.38);
   EXPECT_EQ(body.body_height_m, 1.15);
-  EXPECT_EQ(body.base_frame, "base_footprint");
   EXPECT_THAT(body.notes, IsEmpty());
   const Clearance clearance = ClearanceOf(body);
   EXPECT_EQ(clearance.radius_m, 0.29);
@@ -57,7 +58,6 @@ TEST(RobotBodyTest, SilenceIsSaidAndAssumed) {
   const RobotBody body = BodyOf("");
   EXPECT_FALSE(body.footprint_radius_m || body.footprint_length_m || body.footprint_width_m ||
                body.body_height_m);
-  EXPECT_EQ(body.base_frame, "");
   const Clearance clearance = ClearanceOf(body);
   EXPECT_EQ(clearance.radius_m, 0);
   EXPECT_EQ(clearance.high_m, kAssumedHeight_m);
@@ -79,6 +79,28 @@ TEST(RobotBodyTest, ARadiusThatTheSidesDoNotFitIntoGivesWay) {
                          "lares:footprintWidth_m 0.6 ; lares:footprintRadius_m 0.1 ."));
   EXPECT_DOUBLE_EQ(clearance.radius_m, 0.5);
   EXPECT_THAT(clearance.reasons, Contains(HasSubstr("does not fit into the stated radius")));
+}
+
+TEST(RobotBodyTest, WhatTheHeightIsAtLeastCutsNoMapLowerThanTheAssumedHeight) {
+  const Clearance low = ClearanceOf(BodyOf("<https://example.org/r> lares:minBodyHeight_m 0.3 ."));
+  EXPECT_EQ(low.high_m, kAssumedHeight_m);
+  EXPECT_THAT(low.reasons, Contains(HasSubstr("at least 0.3 m and may be larger: 1.8 m")));
+  const Clearance tall = ClearanceOf(BodyOf("<https://example.org/r> lares:minBodyHeight_m 2.5 ."));
+  EXPECT_EQ(tall.high_m, 2.5);
+  const Clearance stated = ClearanceOf(
+      BodyOf("<https://example.org/r> lares:minBodyHeight_m 0.3 ; lares:bodyHeight_m 1.2 ."));
+  EXPECT_EQ(stated.high_m, 1.2);
+}
+
+TEST(RobotBodyTest, WhatTheFootprintIsAtLeastIsInflatedByAndSaidToBeMorePerhaps) {
+  const Clearance clearance =
+      ClearanceOf(BodyOf("<https://example.org/r> lares:minFootprintRadius_m 0.4 ."));
+  EXPECT_EQ(clearance.radius_m, 0.4);
+  EXPECT_THAT(clearance.reasons, Contains(HasSubstr("is at least: it may be larger")));
+  EXPECT_EQ(ClearanceOf(BodyOf("<https://example.org/r> lares:minFootprintRadius_m 0.4 ; "
+                               "lares:footprintRadius_m 0.5 ."))
+                .radius_m,
+            0.5);
 }
 
 TEST(RobotBodyTest, OneSideAloneMakesNoRadius) {
@@ -114,6 +136,35 @@ TEST(RobotBodyTest, WhatIsOnlyInferredDoesNotCount) {
   const RobotBody body = ReadRobotBody(view, kRobot);
   EXPECT_EQ(body.body_height_m, 1.0);
   EXPECT_FALSE(body.footprint_radius_m);
+}
+
+Clearance ClearanceOfUrdf(const std::string& urdf) {
+  const urdf::Imported robot = urdf::Import(urdf, "r.urdf");
+  urdf::SrdlOptions options;
+  options.id = "r";
+  return ClearanceOf(
+      ReadRobotBody(ViewOf(urdf::ToSrdl(robot.model, robot.kinematics, robot.body, options)),
+                    "https://w3id.org/lares/robots/r#r_robot"));
+}
+
+// A low plate, and what stands on it with `shape`.
+std::string OnAPlate(const std::string& shape) {
+  using testing::JointText, testing::LinkText, testing::Origin, testing::Robot, testing::Shape;
+  return Robot(LinkText("base_link", Shape("<box size=\"0.4 0.3 0.1\"/>")) +
+               LinkText("trunk", Shape(shape)) +
+               JointText("j", "fixed", "base_link", "trunk", Origin("0 0 0.2")));
+}
+
+TEST(RobotBodyTest, AUrdfOfMeshesCutsTheMapAtTheAssumedHeight) {
+  const Clearance mesh = ClearanceOfUrdf(OnAPlate("<mesh filename=\"a.stl\"/>"));
+  EXPECT_EQ(mesh.high_m, kAssumedHeight_m);
+  EXPECT_THAT(mesh.reasons, Contains(HasSubstr("at least 0.2 m and may be larger")));
+  EXPECT_NEAR(mesh.radius_m, 0.25, 1e-9);
+  EXPECT_THAT(mesh.reasons, Contains(HasSubstr("is at least: it may be larger")));
+  const Clearance box = ClearanceOfUrdf(OnAPlate("<box size=\"0.1 0.1 0.6\"/>"));
+  EXPECT_NEAR(box.high_m, 0.5, 1e-9);
+  EXPECT_NEAR(box.radius_m, 0.25, 1e-9);
+  EXPECT_THAT(box.reasons, Contains(HasSubstr("the footprint radius that")));
 }
 
 }  // namespace

@@ -56,4 +56,25 @@ inline std::string Cart() {
       "<clip><near>0.3</near><far>6</far></clip></camera></sensor></gazebo>\n");
 }
 
+// A base that is turned on its footprint, wheels whose joints are turned, and a sensor turned on a
+// mount that is turned: no two frames are parallel.
+inline std::string TurnedRobot() {
+  const auto wheel = [](const std::string& name, const std::string& xyz) {
+    return LinkText(name, Shape("<cylinder radius=\"0.1\" length=\"0.04\"/>")) +
+           JointText(name + "_joint", "continuous", "base_link", name,
+                     Origin(xyz, "-1.5707963267948966 0 0") + "<axis xyz=\"0 0 1\"/>");
+  };
+  const std::string inertial =
+      "<inertial><mass value=\"7\"/><inertia ixx=\"4\" ixy=\"0.1\" ixz=\"0.2\" iyy=\"5\" "
+      "iyz=\"0.3\" izz=\"6\"/></inertial>";
+  return Robot(LinkText("base_footprint") + LinkText("base_link", inertial) + LinkText("mount") +
+               JointText("base_joint", "fixed", "base_footprint", "base_link",
+                         Origin("1 2 0.1", "0 0 0.5")) +
+               JointText("mount_joint", "fixed", "base_link", "mount",
+                         Origin("0.1 0.2 0.3", "0.1 0.2 0.3")) +
+               wheel("left_wheel", "0 0.2 0") + wheel("right_wheel", "0 -0.2 0") +
+               "<gazebo reference=\"mount\"><sensor name=\"eye\" type=\"camera\">"
+               "<pose>0.1 0.2 0.3 0.1 0.2 0.3</pose></sensor></gazebo>\n");
+}
+
 }  // namespace lares::testing

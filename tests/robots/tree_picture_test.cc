@@ -15,7 +15,7 @@ using ::testing::Not;
 
 TEST(TreePictureTest, EveryLinkIsABoxAndEveryJointAnEdgeWithItsKind) {
   const urdf::Imported robot = urdf::Import(Cart(), "cart.urdf");
-  const std::string svg = urdf::ToSvg(robot.model, robot.kinematics, robot.body);
+  const std::string svg = urdf::ToSvg(robot.model, robot.body);
   for (const urdf::Link& link : robot.model.links) {
     EXPECT_THAT(svg, HasSubstr(">" + link.name + "</text>"));
   }
@@ -23,16 +23,16 @@ TEST(TreePictureTest, EveryLinkIsABoxAndEveryJointAnEdgeWithItsKind) {
   EXPECT_THAT(svg, HasSubstr(">RGB-D camera</text>"));
   EXPECT_THAT(svg, HasSubstr(">differential base</text>"));
   EXPECT_THAT(svg, Not(HasSubstr("http://www.w3.org/1999")));
-  const std::string dot = urdf::ToDot(robot.model, robot.kinematics, robot.body);
+  const std::string dot = urdf::ToDot(robot.model, robot.body);
   EXPECT_THAT(dot, HasSubstr("laser_joint (fixed)"));
 }
 
 TEST(TreePictureTest, NamesCannotBreakOut) {
   const urdf::Imported robot =
       urdf::Import(Robot(LinkText("&lt;script&gt;alert(1)&lt;/script&gt;&quot;\\")), "cart.urdf");
-  const std::string svg = urdf::ToSvg(robot.model, robot.kinematics, robot.body);
+  const std::string svg = urdf::ToSvg(robot.model, robot.body);
   EXPECT_THAT(svg, Not(HasSubstr("<script>")));
-  EXPECT_THAT(urdf::ToDot(robot.model, robot.kinematics, robot.body), HasSubstr("\\\"\\\\"));
+  EXPECT_THAT(urdf::ToDot(robot.model, robot.body), HasSubstr("\\\"\\\\"));
 }
 
 }  // namespace
