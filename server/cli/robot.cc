@@ -19,6 +19,11 @@ std::string Line(const std::string& what, const Json& because) {
   return "  " + what + "\n      " + TextOf(because, "reason") + "\n";
 }
 
+// "height at least " of what may be larger.
+std::string AtLeast(const std::string& what, const Json& size) {
+  return what + (size.value("is_lower_bound", false) ? " at least " : " ");
+}
+
 std::string LimbLines(const Json& import) {
   std::string text;
   const auto named = [](const Json& limb, const char* noun) {
@@ -45,12 +50,13 @@ std::string ImportText(const Json& answer) {
   text += Line("base: " + TextOf(import.at("base"), "kind"), import.at("base"));
   if (import.contains("footprint")) {
     const Json& footprint = import.at("footprint");
-    text += Line("footprint " + Metres(footprint, "length_m") + " x " +
+    text += Line(AtLeast("footprint", footprint) + Metres(footprint, "length_m") + " x " +
                      Metres(footprint, "width_m") + ", radius " + Metres(footprint, "radius_m"),
                  footprint);
   }
   if (import.contains("height")) {
-    text += Line("height " + Metres(import.at("height"), "height_m"), import.at("height"));
+    const Json& height = import.at("height");
+    text += Line(AtLeast("height", height) + Metres(height, "height_m"), height);
   }
   text += LimbLines(import);
   for (const Json& sensor : import.at("sensors")) {
