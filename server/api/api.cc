@@ -13,8 +13,10 @@ http::Router MakeRouter(Context& context) {
   AddRobotRoutes(router, context);
   AddSkillTemplateRoutes(router, context);
   AddObjectModelRoutes(router, context);
+  AddBackupRoutes(router, context);
   AddEnvironmentRoutes(router, context);
   AddEnvironmentUploadRoute(router, context);
+  AddEnvironmentVersionRoutes(router, context);
   AddEnvironmentDownloadRoutes(router, context);
   AddRobotGridRoutes(router, context);
   AddQuarantineRoutes(router, context);

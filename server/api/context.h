@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -25,6 +26,7 @@ struct Context {
   std::shared_ptr<prolog::Workers> workers = std::make_shared<prolog::Workers>();  // for goals
   std::shared_ptr<server::Snapshots> snapshots = std::make_shared<server::Snapshots>();
   std::shared_ptr<WatchHub> watches;  // made with its routes
+  std::filesystem::path backups;      // where this server's backups go; empty: nowhere
   std::string openapi;                // the document, made once all routes are known
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
 };
@@ -37,8 +39,10 @@ void AddRobotGridRoutes(http::Router& router, Context& context);
 void AddRobotRoutes(http::Router& router, Context& context);
 void AddSkillTemplateRoutes(http::Router& router, Context& context);
 void AddObjectModelRoutes(http::Router& router, Context& context);
+void AddBackupRoutes(http::Router& router, Context& context);
 void AddEnvironmentRoutes(http::Router& router, Context& context);
 void AddEnvironmentUploadRoute(http::Router& router, Context& context);
+void AddEnvironmentVersionRoutes(http::Router& router, Context& context);
 void AddEnvironmentDownloadRoutes(http::Router& router, Context& context);
 void AddPlanRoutes(http::Router& router, Context& context);
 void AddPlanDiffRoutes(http::Router& router, Context& context);

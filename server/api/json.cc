@@ -105,7 +105,13 @@ Json ToJson(const store::EnvironmentVersion& version) {
           {"label", version.label},
           {"created", ToRfc3339(version.created)},
           {"author", version.author},
+          {"robot", version.robot},
+          {"mission", version.mission},
           {"note", version.note},
+          {"origin", store::ToString(version.origin)},
+          {"parents", version.parents},
+          {"base", version.base},
+          {"head", version.was_head},
           {"etag", version.etag()},
           {"changed_layers", version.changed_layers},
           {"layers", std::move(layers)}};
@@ -116,7 +122,9 @@ Json ToJson(const store::EnvironmentInfo& environment) {
           {"type", environment.type_iri},
           {"label", environment.label},
           {"created", ToRfc3339(environment.created)},
-          {"latest", environment.latest}};
+          {"changed", ToRfc3339(environment.changed)},
+          {"latest", environment.latest},
+          {"versions", environment.count}};
 }
 
 Json ToJson(const semantic::MapObject& object) {

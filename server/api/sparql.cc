@@ -185,7 +185,7 @@ http::Response Answer(const http::Request& request, Context& context,
   const http::Request all = Collect(request);
   auto asked = std::make_shared<const Asked>(ReadQuestion(all, context.knowledge.aliases()));
   auto pinned = std::make_shared<const server::PinnedView>(
-      context.snapshots, context.knowledge.ViewFor(ReadViewRequest(all)));
+      context.snapshots, context.knowledge.ViewFor(ReadViewRequest(all, context.store)));
   http::Response response;
   const std::string type = asked->format.media_type;
   response.headers.Set("Content-Type", type.starts_with("text/") ? type + "; charset=utf-8" : type);

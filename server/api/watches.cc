@@ -38,7 +38,7 @@ http::Response Watch(const http::Request& request, Context& context) {
   const FirstEvent first = ReadFirst(request);
   const std::string text =
       request.Query("query") ? *request.Query("query") : QueryOfPattern(request);
-  const server::ViewRequest about = ReadViewRequest(request);
+  const server::ViewRequest about = ReadViewRequest(request, context.store);
   Json key{text, about.recipe, about.robot, about.environment, about.environment_version};
   Json graphs = Json::array();
   for (const char* name : {"default-graph-uri", "named-graph-uri"}) {

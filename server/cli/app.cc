@@ -73,6 +73,7 @@ int Run(int argc, const char* const* argv) {
     AddWhy(app, options);
     AddDistance(app, options);
     AddWatch(app, options);
+    AddStore(app, options);
     AddStatus(app, options);
     return ParseAndRun(app, options, argc, argv);
   } catch (const std::exception& error) {

@@ -30,6 +30,8 @@ void AddOntologyCheck(CLI::App& ontology, const Options& options);
 void AddEnvironment(CLI::App& app, const Options& options);
 void AddEnvironmentPut(CLI::App& environment, const Options& options);
 void AddEnvironmentRelease(CLI::App& environment, const Options& options);
+void AddEnvironmentVersions(CLI::App& environment, const Options& options);
+void AddRobotPins(CLI::App& robot, const Options& options);
 void AddEnvironmentGet(CLI::App& environment, const Options& options);
 void AddObjectModel(CLI::App& app, const Options& options);
 void AddSkill(CLI::App& app, const Options& options);
@@ -43,6 +45,7 @@ void AddSparql(CLI::App& app, const Options& options);
 void AddWatch(CLI::App& app, const Options& options);
 void AddWhy(CLI::App& app, const Options& options);  // why and why-not
 void AddDistance(CLI::App& app, const Options& options);
+void AddStore(CLI::App& app, const Options& options);
 void AddStatus(CLI::App& app, const Options& options);
 
 // A subcommand with its examples below the help.

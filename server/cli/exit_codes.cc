@@ -25,7 +25,7 @@ const std::vector<ExitMeaning>& ExitMeanings() {
        {"not-found", "ambiguous"}},
       {ExitCode::kConflict,
        "somebody else changed it meanwhile, or it exists already",
-       {"conflict", "precondition-failed"}},
+       {"conflict", "merge-conflict", "precondition-failed"}},
       {ExitCode::kNoServer, "no server answers", {}},
       {ExitCode::kNoPlan,
        "not possible for this robot, or a person has to choose first",

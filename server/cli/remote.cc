@@ -78,7 +78,7 @@ Json Remote::GetList(const std::string& path, std::multimap<std::string, std::st
   while (true) {
     const Json page = GetJson(path, query);
     for (const Json& item : page.at("items")) all["items"].push_back(item);
-    all["count"] = page.at("count");
+    all["count"] = page.value("count", all["items"].size());
     if (!page.at("next").is_string()) return all;
     query.erase("after");
     query.emplace("after", page.at("next").get<std::string>());

@@ -8,9 +8,11 @@
 #include "server/api/api.h"
 #include "server/cli/command.h"
 #include "server/cli/print.h"
+#include "server/cli/store_place.h"
 #include "server/http/log.h"
 #include "server/http/origin_check.h"
 #include "server/http/server.h"
+#include "server/knowledge/follower.h"
 #include "server/knowledge/knowledge.h"
 #include "server/store/store.h"
 
@@ -24,20 +26,10 @@ constexpr std::chrono::seconds kGrace{30};
 struct ServeOptions {
   std::string host = "127.0.0.1";
   int port = 8080;
-  std::string data;
+  StorePlace place;
+  std::string backups;
   std::string log_level = "info";
 };
-
-fs::path DefaultDataFolder() {
-  if (const char* data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data == '/') {
-    return fs::path(data) / "lares" / "store";
-  }
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
-    return fs::path(home) / ".local" / "share" / "lares" / "store";
-  }
-  throw Error(Code::kInvalid, "neither HOME nor XDG_DATA_HOME is set")
-      .WithHint("say where to keep the data with --data");
-}
 
 // SIGINT and SIGTERM are waited for instead of handled: blocked before any thread begins, so that
 // every thread inherits it.
@@ -60,19 +52,28 @@ class StopSignals {
   sigset_t signals_{};
 };
 
+// Beside the data; nowhere for a store that is in no folder, unless one is named.
+fs::path BackupFolder(const ServeOptions& serve) {
+  if (!serve.backups.empty()) return fs::absolute(serve.backups);
+  return serve.place.store.empty() ? fs::absolute(DataFolder(serve.place)) / "backups" : fs::path();
+}
+
 void Serve(const ServeOptions& serve) {
   const StopSignals signals;
   http::SetLogLevel(http::ParseLogLevel(serve.log_level));
-  const fs::path data = serve.data.empty() ? DefaultDataFolder() : fs::path(serve.data);
-  const std::unique_ptr<store::Store> store = store::OpenSqliteStore({data});
+  const std::unique_ptr<store::Store> store = OpenStore(serve.place);
   prolog::EnginePool engines;
   server::Knowledge knowledge(*store, engines);
+  knowledge.IndexEnvironments();
+  const server::Follower follower(knowledge);
   api::Context context{*store, knowledge};
+  context.backups = BackupFolder(serve);
   http::ServerOptions options;
   options.host = serve.host;
   options.port = serve.port;
   http::Server server(api::MakeService(context), options);
-  http::Log(http::LogLevel::kInfo, "ready", {{"url", server.url()}, {"data", data.string()}});
+  http::Log(http::LogLevel::kInfo, "ready",
+            {{"url", server.url()}, {"data", Describe(serve.place)}});
   Print("Lares is ready at " + server.url() + "\n");
 
   signals.Wait();
@@ -88,18 +89,17 @@ void Serve(const ServeOptions& serve) {
 }  // namespace
 
 void AddServe(CLI::App& app, const Options&) {
-  auto* command = AddCommand(app, "serve", "Run the server, for programs of this machine",
-                             "  lares serve\n  lares serve --port 9090 --data ./lares-data");
+  auto* command =
+      AddCommand(app, "serve", "Run the server, for programs of this machine",
+                 "  lares serve\n  lares serve --port 9090 --data ./lares-data\n"
+                 "  lares serve --store postgresql://lares@db/lares --blobs /srv/lares");
   auto serve = std::make_shared<ServeOptions>();
   command->add_option("--port", serve->port, "0: any free one")
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();
-  command
-      ->add_option("--data", serve->data,
-                   "folder that everything is kept in (default: ~/.local/share/lares/store)")
-      ->check([](const std::string& text) {
-        return text.empty() ? std::string("names no folder") : std::string();
-      });
+  AddStorePlace(*command, serve->place);
+  command->add_option("--backups", serve->backups,
+                      "folder that backups go to (default: backups, in --data)");
   command->add_option("--host", serve->host, "a loopback address: 127.0.0.1, localhost or ::1")
       ->check([](const std::string& text) {
         return http::IsLoopbackHost(text) ? std::string()

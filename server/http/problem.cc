@@ -53,6 +53,8 @@ const std::vector<ProblemKind>& ProblemKinds() {
       // Of documents: well written, but not to be taken.
       {"foreign-term", 422, "It says new things about terms of others"},
       {"contradiction", 422, "It contradicts what is known"},
+      // Of versions.
+      {"merge-conflict", 409, "Both versions changed the same"},
       // Of plans: the question was understood, and the answer is no.
       {"not-feasible", 422, "The robot cannot do that"},
       {"choice-needed", 422, "A person has to choose"},

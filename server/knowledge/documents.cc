@@ -360,6 +360,8 @@ PutAnswer Knowledge::Put(const PutRequest& original) {
 PutAnswer Knowledge::PutOntology(const PutRequest& request, const rdf::Graph& graph,
                                  const rdf::Document& content) {
   const std::lock_guard lock(state_->ontology_mutex);
+  const std::unique_ptr<store::Hold> among_servers = state_->store.HoldCatalogue();
+  state_->TakeOverCatalogue();
   std::map<std::string, rdf::Graph> next = state_->stored_graphs;
   next[graph.name] = graph;
   std::vector<rdf::Graph> stored;
@@ -391,6 +393,7 @@ PutAnswer Knowledge::PutOntology(const PutRequest& request, const rdf::Graph& gr
   incoming.details["statements"] = incoming.answer.statements;
   incoming.answer.document = Store(state_->store, incoming);
   ForgetKeptAside(state_->store, request.kind, request.id);
+  state_->taken_over[graph.name] = incoming.answer.document.version;
   state_->authority.Put(graph.name, claim, incoming.answer.document.received, request.editor);
   state_->stored_graphs = std::move(next);
   state_->Publish(std::move(catalogue));
@@ -411,8 +414,11 @@ void Knowledge::Remove(DocumentKind kind, const std::string& id) {
 
 void Knowledge::RemoveFromCatalogue(DocumentKind kind, const std::string& id) {
   const std::lock_guard lock(state_->ontology_mutex);
+  const std::unique_ptr<store::Hold> among_servers = state_->store.HoldCatalogue();
+  state_->TakeOverCatalogue();
   state_->store.DeleteDocument(kind, id);
   const std::string graph_name = GraphName(kind, id);
+  state_->taken_over.erase(graph_name);
   state_->stored_graphs.erase(graph_name);
   state_->authority.Remove(graph_name);
   std::vector<rdf::Graph> stored;

@@ -111,6 +111,18 @@ struct ViewRequest {
   int environment_version = 0;  // 0: newest
 };
 
+// Environments that are all of it; what is empty does not narrow.
+struct EnvironmentQuery {
+  std::string room_number, street, building, level;
+  std::string type;                 // a class of places, by any of its names; its subclasses too
+  std::vector<std::string> holds;   // classes of objects, each of which is there
+  std::vector<std::string> layers;  // names
+  std::string text;                 // words that are all there; `cof*` stands for a beginning
+  std::optional<Time> changed_from, changed_until;
+  std::string after;  // ids beyond this one only
+  std::size_t limit = 100;
+};
+
 struct SeenObject {
   std::string environment;
   int version = 0;
@@ -206,6 +218,13 @@ class Knowledge {
   // The semantic layer's document in another format.
   std::string RenderSemantic(const std::string& environment, int version, rdf::Format format);
   std::vector<semantic::MapObject> MapObjects(const std::string& environment, int version);
+  // The document of a semantic layer of that environment, read as it was when it was accepted.
+  rdf::Document ReadSemantic(const std::string& environment, const store::LayerInfo& layer);
+  // By id. Throws kInvalid, kNotFound and kAmbiguous for a class that is none.
+  std::vector<store::EnvironmentInfo> SearchEnvironments(const EnvironmentQuery& query);
+  // Gives keys to environments that an older program put: afterwards they are found by what they
+  // hold. Those whose semantic layer cannot be read any more are left out.
+  void IndexEnvironments();
 
   // The skill templates that plans are made of, stored ones included.
   std::vector<recipes::SkillTemplate> SkillTemplates();
@@ -241,6 +260,10 @@ class Knowledge {
   // for a class that is none.
   recipes::Resource ResolveComponent(const std::string& name);
 
+  store::Store& store() const;
+  // Takes over what other servers of the store have put and removed of the catalogue; true when
+  // that was anything. The server asks for it now and then, and every put of the catalogue does.
+  bool Refresh();
   const rdf::AliasTable& aliases() const;
   struct Module {
     std::string id;

@@ -302,8 +302,8 @@ std::shared_ptr<const RobotGrid> Knowledge::MakeRobotGrid(const std::string& rob
                                                           const std::string& environment,
                                                           int environment_version) {
   const Resolved resolved = Resolve(store::DocumentKind::kRobot, robot);
-  const store::EnvironmentVersion version =
-      state_->store.GetVersion(environment, environment_version);
+  const store::EnvironmentVersion version = state_->store.GetVersion(
+      environment, state_->VersionFor(resolved.document.id, environment, environment_version));
   const rdf::View view = state_->ViewOf({&resolved.document, nullptr, nullptr});
   const robots::Clearance body =
       robots::ClearanceOf(robots::ReadRobotBody(view, resolved.target_iri));

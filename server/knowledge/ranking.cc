@@ -162,8 +162,12 @@ Knowledge::Asked Knowledge::UnderstandTask(const PlanRequest& request) {
 }
 
 Knowledge::Asked Knowledge::Understand(const PlanRequest& request) {
-  Asked asked = UnderstandTask(request);
-  asked.robot = Resolve(DocumentKind::kRobot, request.robot);
+  const Resolved robot = Resolve(DocumentKind::kRobot, request.robot);
+  PlanRequest pinned = request;
+  pinned.environment_version =
+      state_->VersionFor(robot.document.id, request.environment, request.environment_version);
+  Asked asked = UnderstandTask(pinned);
+  asked.robot = robot;
   RequireTarget(asked.robot);
   return asked;
 }

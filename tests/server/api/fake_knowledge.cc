@@ -124,6 +124,27 @@ std::string Knowledge::RenderSemantic(const std::string& environment, int versio
   return environment + "/" + std::to_string(version) + " as " + std::string(rdf::MediaType(format));
 }
 
+store::Store& Knowledge::store() const { return state_->store; }
+
+bool Knowledge::Refresh() { return false; }
+
+void Knowledge::IndexEnvironments() {}
+
+rdf::Document Knowledge::ReadSemantic(const std::string&, const store::LayerInfo& layer) {
+  return rdf::ReadRdf(state_->store.ReadBlob(layer.blob.sha256), rdf::Format::kTurtle, {});
+}
+
+// By words and layers only.
+std::vector<store::EnvironmentInfo> Knowledge::SearchEnvironments(const EnvironmentQuery& query) {
+  store::EnvironmentSearch search;
+  if (!query.text.empty()) search.all_of.push_back({"word", {query.text}, false});
+  for (const std::string& layer : query.layers) search.all_of.push_back({"layer", {layer}, false});
+  search.changed_from = query.changed_from;
+  search.after = query.after;
+  search.limit = query.limit;
+  return state_->store.SearchEnvironments(search);
+}
+
 std::vector<semantic::MapObject> Knowledge::MapObjects(const std::string&, int) {
   semantic::MapObject bottle;
   bottle.iri = "urn:bottle1";
