@@ -17,8 +17,8 @@ A reading hangs on the recipe and the catalogue alone, so it may be kept as long
 `tasks` is for recall_tasks/1. A node is node(Path, Id, Said, Candidates, None): Path the step with the
 steps that contain it, innermost first, Said what it says for the inputs of its candidates (said_for/3),
 None the sentence for when no candidate fits. Candidates are `Distance-candidate(Template, Action,
-Outputs, Ways)`, the nearest first, with made(Name, Type, Value) for each output that the step names, and a
-transition for each way that the skill may end. A template is
+Outputs, Ways)`, the nearest first, with made(Name, Type, Value) for each output that the step names,
+and a transition for each way that the skill may end. A template is
 template(Template, Skill, Outcomes, Inputs, Manner, Conditions).
 */
 
