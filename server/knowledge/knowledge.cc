@@ -107,6 +107,8 @@ std::vector<store::DocumentInfo> Knowledge::State::NestedIn(
   while (!open.empty()) {
     const store::DocumentInfo next = std::move(open.back());
     open.pop_back();
+    // Few recipes nest others, and details can be long.
+    if (next.details_json.find("\"nests\"") == std::string::npos) continue;
     const auto details = nlohmann::json::parse(next.details_json);
     for (const std::string id : details.value("nests", nlohmann::json::array())) {
       if (id == recipe.id || nested.count(id) > 0) continue;

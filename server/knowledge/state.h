@@ -89,9 +89,9 @@ struct Knowledge::State {
   OverlaySource SourceOf(const std::string& graph_name, const store::DocumentInfo& document);
 
   // Of documents over the catalogue `base`, kept from question to question.
-  std::shared_ptr<const recipes::Needs> NeedsOf(const std::shared_ptr<const CatalogueState>& base,
-                                                const store::DocumentInfo& recipe,
-                                                const std::string& task_iri);
+  std::shared_ptr<const TaskKnowledge> TaskOf(const std::shared_ptr<const CatalogueState>& base,
+                                              const store::DocumentInfo& recipe,
+                                              const std::string& task_iri);
   std::shared_ptr<const recipes::RobotProfile> ProfileOf(
       const std::shared_ptr<const CatalogueState>& base, const store::DocumentInfo& robot,
       const std::string& robot_iri);
@@ -131,7 +131,7 @@ struct Knowledge::Asked {
   Resolved robot;
   std::optional<store::EnvironmentVersion> environment;
   std::shared_ptr<const CatalogueState> base;
-  std::shared_ptr<const recipes::Needs> needs;
+  std::shared_ptr<const TaskKnowledge> task;
   recipes::MatchOptions options;
 };
 
