@@ -5,7 +5,7 @@ packages_to_build="build-essential cmake ninja-build pkg-config ccache mold ca-c
   zlib1g-dev libsqlite3-dev nlohmann-json3-dev libspdlog-dev libcli11-dev libyaml-cpp-dev
   libarchive-dev liboctomap-dev libpcre2-dev liburdfdom-dev liburdfdom-headers-dev"
 packages_to_test="libgtest-dev libgmock-dev libbenchmark-dev clang-format-14 curl graphviz wrk
-  libxml2-utils rasqal-utils"
+  libxml2-utils rasqal-utils groff mandoc zsh fish mypy"
 packages_to_compare="konclude" # what benchmarks measure Lares against
 packages_to_test_long="clang-14 libclang-rt-14-dev clang-tidy-14"
 

@@ -74,6 +74,8 @@ int Run(int argc, const char* const* argv) {
     AddDistance(app, options);
     AddWatch(app, options);
     AddStatus(app, options);
+    AddCompletion(app);
+    AddMan(app);
     return ParseAndRun(app, options, argc, argv);
   } catch (const std::exception& error) {
     PrintError(error);
