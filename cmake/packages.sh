@@ -7,7 +7,7 @@ packages_to_build="build-essential cmake ninja-build pkg-config ccache mold ca-c
 packages_to_test="libgtest-dev libgmock-dev libbenchmark-dev clang-format-14 curl graphviz wrk
   libxml2-utils rasqal-utils groff mandoc zsh fish mypy"
 packages_to_compare="konclude" # what benchmarks measure Lares against
-packages_to_test_long="clang-14 libclang-rt-14-dev clang-tidy-14"
+packages_to_test_long="debootstrap dpkg-dev clang-14 libclang-rt-14-dev clang-tidy-14"
 
 # need_packages NAME… : installs what is missing, and says so first.
 need_packages() {
