@@ -5,9 +5,12 @@ import json
 import os
 import tempfile
 import time
+from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Iterator, List, Optional, Union
+
+_DAYS_TO_GO_ON = 7  # with a download that broke off
 
 
 @dataclass(frozen=True)
@@ -32,7 +35,7 @@ class DownloadCache:
     def __init__(self, folder: Union[str, "os.PathLike[str]"], max_bytes: Optional[int] = None) -> None:
         self.folder = Path(folder)
         self.max_bytes = max_bytes
-        for name in ("blobs", "entries"):
+        for name in ("blobs", "entries", "parts"):
             (self.folder / name).mkdir(parents=True, exist_ok=True, mode=0o700)
 
     def find(self, url: str) -> Optional[Entry]:
@@ -53,17 +56,26 @@ class DownloadCache:
     def blob_path(self, sha256: str) -> Path:
         return self.folder / "blobs" / sha256
 
-    def new_file(self) -> Path:
-        """An empty file beside the blobs, for `keep`."""
-        handle, name = tempfile.mkstemp(dir=self.folder, prefix="part-")
-        os.close(handle)
-        return Path(name)
+    @contextmanager
+    def place_for(self, url: str) -> Iterator[Path]:
+        """Where a download of this address is written, so that a later one can go on with it.
+
+        While another thread or process downloads the same, a place of its own that does not stay.
+        """
+        place = self.folder / "parts" / hashlib.sha256(url.encode()).hexdigest()
+        with open(place.with_suffix(".lock"), "ab") as lock:
+            if _lock(lock.fileno()):
+                yield place
+                return
+        with tempfile.TemporaryDirectory(dir=self.folder / "parts") as own:
+            yield Path(own) / "download"
 
     def keep(self, file: Path, entry: Entry) -> None:
         """Takes `file`, whose hash the entry tells, and makes the entry findable."""
         os.replace(file, self.blob_path(entry.sha256))
-        part = self.new_file()
-        part.write_text(json.dumps(asdict(entry)), "utf-8")
+        handle, part = tempfile.mkstemp(dir=self.folder / "parts")
+        with open(handle, "w", encoding="utf-8") as written:
+            json.dump(asdict(entry), written)
         os.replace(part, self._entry_path(entry.url))
         if self.max_bytes is not None:
             self.prune(self.max_bytes)
@@ -76,15 +88,28 @@ class DownloadCache:
             total += blob.stat().st_size
             if total > max_bytes:
                 blob.unlink()
-        for left in self.folder.glob("part-*"):
-            if time.time() - left.stat().st_mtime > 86400:
-                left.unlink()  # of a process that died
+        for left in (self.folder / "parts").iterdir():
+            if left.is_file() and time.time() - left.stat().st_mtime > _DAYS_TO_GO_ON * 86400:
+                left.unlink()
 
     def _blobs(self) -> List[Path]:
         return [blob for blob in (self.folder / "blobs").iterdir() if blob.is_file()]
 
     def _entry_path(self, url: str) -> Path:
         return self.folder / "entries" / (hashlib.sha256(url.encode()).hexdigest() + ".json")
+
+
+def _lock(handle: int) -> bool:
+    """Whether nobody else holds it; where files cannot be locked, nobody is let in."""
+    try:
+        import fcntl
+    except ImportError:
+        return False
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        return False
+    return True
 
 
 def hash_of(file: Path) -> str:

@@ -99,7 +99,9 @@ class RemoteFile:
                 os.fsync(file.fileno())
             saved = kept
         else:
-            part, saved = self._resume(target, progress)
+            fetched = self._fetch(target, progress, "")
+            assert fetched is not None
+            part, saved = fetched.path, fetched
         if sha256 is not None and saved.sha256 != sha256:
             part.unlink()
             raise LaresError("wrong-content", f"{self.url} has hash {saved.sha256}, not {sha256}")
@@ -112,44 +114,38 @@ class RemoteFile:
     def _through_cache(self, cache: DownloadCache, progress: Optional[Progress]) -> Saved:
         key = self.url + (f" {self._accept}" if self._accept else "")
         known = cache.find(key)
-        try:
-            answer = self._get({"If-None-Match": known.etag} if known else {})
-        except LaresError as fault:
-            is_away = isinstance(fault, NoServerError) or fault.status in _AWAY
-            if known is None or not self._offline_ok or not is_away:
-                raise
-            return _kept(cache, known, stale=True)
-        with answer:
-            if answer.status == 304 and known is not None:
-                answer.read()
-                return _kept(cache, known, stale=False)
-            part = cache.new_file()
+        with cache.place_for(key) as place:
             try:
-                saved = _write(answer, part, progress)
-                if not saved.etag:
-                    return saved  # nothing to revalidate with: used once
-                cache.keep(part, Entry(key, saved.etag, saved.sha256, saved.size, saved.media_type,
-                                       saved.file_name))
-                return replace(saved, path=cache.blob_path(saved.sha256))
-            except CutOffError:
-                part.unlink()
-                if known is None or not self._offline_ok:
+                fetched = self._fetch(place, progress, known.etag if known else "")
+            except LaresError as fault:
+                is_away = isinstance(fault, (NoServerError, CutOffError)) or fault.status in _AWAY
+                if known is None or not self._offline_ok or not is_away:
                     raise
                 return _kept(cache, known, stale=True)
-            except BaseException:
-                part.unlink(missing_ok=True)
-                raise
+            if fetched is None:
+                assert known is not None
+                return _kept(cache, known, stale=False)
+            cache.keep(fetched.path, Entry(key, fetched.etag, fetched.sha256, fetched.size,
+                                           fetched.media_type, fetched.file_name))
+            return replace(fetched, path=cache.blob_path(fetched.sha256))
 
     # ---- resuming ------------------------------------------------------------------------------
 
-    def _resume(self, target: Path, progress: Optional[Progress]) -> "tuple[Path, Saved]":
+    def _fetch(self, target: Path, progress: Optional[Progress], etag: str) -> Optional[Saved]:
+        """The content as file `target`.part, whole; nothing when it still has this `etag`."""
         part = target.with_name(target.name + ".part")
         note = target.with_name(target.name + ".part.json")
         in_vain = 0
         while True:
             before = part.stat().st_size if part.exists() else 0
+            headers = _range_headers(part, note, self.url)
+            if etag and not headers:
+                headers = {"If-None-Match": etag}
             try:
-                with self._get(_range_headers(part, note, self.url)) as answer:
+                with self._get(headers) as answer:
+                    if answer.status == 304:
+                        answer.read()
+                        return None
                     if answer.status != 206:
                         note.write_text(
                             json.dumps({"url": self.url, "etag": answer.headers.get("etag", "")}),
@@ -157,7 +153,7 @@ class RemoteFile:
                         )
                     saved = _write(answer, part, progress)
                 note.unlink(missing_ok=True)
-                return part, saved
+                return saved
             except CutOffError:
                 in_vain = 0 if part.stat().st_size > before else in_vain + 1
                 if in_vain > self._transport.retries:

@@ -4,6 +4,7 @@ import os
 import shutil
 import signal
 import socket
+import ssl
 import subprocess
 import sys
 import tempfile
@@ -154,7 +155,7 @@ Answer = Tuple[int, Dict[str, str], bytes]
 class ScriptedServer:
     """Answers one after the other, the last again and again; keeps what it was asked."""
 
-    def __init__(self, answers: List[Answer]) -> None:
+    def __init__(self, answers: List[Answer], tls: Optional[ssl.SSLContext] = None) -> None:
         self.asked: List[Tuple[str, str, Dict[str, str], bytes]] = []
         outer = self
 
@@ -181,6 +182,8 @@ class ScriptedServer:
 
         self._server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
         self._server.daemon_threads = True
+        if tls is not None:
+            self._server.socket = tls.wrap_socket(self._server.socket, server_side=True)
         self.url = f"http://127.0.0.1:{self._server.server_address[1]}"
         threading.Thread(target=self._server.serve_forever, daemon=True).start()
 

@@ -2,7 +2,12 @@
 
 import json
 import os
+import shutil
 import socket
+import ssl
+import subprocess
+import tempfile
+import threading
 import tracemalloc
 import unittest
 from pathlib import Path
@@ -225,6 +230,35 @@ class CacheTest(unittest.TestCase):
         with self.assertRaises(lares.NoServerError):
             self.client.environments.layer("flat", "grid").read()  # never downloaded
 
+    def test_a_download_into_the_cache_goes_on_where_it_broke_off(self) -> None:
+        file = trajectory(self.server.folder / "path.txt", 40_000)
+        self.client.environments.put_version("far", {"trajectory": file}, type="Home")
+        size = file.stat().st_size
+        link = BadLink(self.server.port, [size // 2, 0, None])
+        self.addCleanup(link.close)
+        robot = lares.Client(link.url, cache_dir=self.cache, retries=0)
+        asked: List[int] = []
+        robot.on_request(lambda method, target, status: asked.append(status))
+        layer = robot.environments.layer("far", "trajectory")
+        with self.assertRaises(lares.NoServerError):
+            layer.read()
+        self.assertEqual(layer.read(), file.read_bytes())
+        self.assertEqual(asked, [200, 206])
+        self.assertTrue(layer.save(self.target).from_cache)
+
+    def test_the_same_is_downloaded_by_several_at_once(self) -> None:
+        file = trajectory(self.server.folder / "path.txt", 40_000)
+        self.client.environments.put_version("far", {"trajectory": file}, type="Home")
+        wanted = file.read_bytes()
+        got: List[bytes] = []
+        layer = self.client.environments.layer("far", "trajectory")
+        threads = [threading.Thread(target=lambda: got.append(layer.read())) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual([one == wanted for one in got], [True] * 4)
+
     def test_a_change_is_noticed(self) -> None:
         self.layer.read()
         changed = (DEMO / "flat.ttl").read_bytes() + b"\n# painted\n"
@@ -254,6 +288,37 @@ class CacheTest(unittest.TestCase):
         cache.prune(10)
         self.assertEqual(list((self.cache / "blobs").iterdir()), [])
         self.assertEqual(self.layer.read(), (DEMO / "flat.ttl").read_bytes())
+
+
+@unittest.skipUnless(shutil.which("openssl"), "openssl is not installed")
+class TlsTest(unittest.TestCase):
+    def setUp(self) -> None:
+        self.folder = Path(tempfile.mkdtemp(prefix="lares-test-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.certificate = self.folder / "cert.pem"
+        subprocess.run(
+            ["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:P-256",
+             "-nodes", "-days", "2", "-subj", "/CN=localhost", "-addext",
+             "subjectAltName=DNS:localhost", "-keyout", str(self.folder / "key.pem"),
+             "-out", str(self.certificate)],
+            check=True, capture_output=True,
+        )
+        context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
+        context.load_cert_chain(self.certificate, self.folder / "key.pem")
+        self.server = ScriptedServer([(200, OK, b'{"status": "ok"}')], context)
+        self.addCleanup(self.server.close)
+        self.url = self.server.url.replace("http://127.0.0.1", "https://localhost")
+
+    def test_an_authority_of_ones_own_is_believed_and_a_stranger_is_not(self) -> None:
+        with lares.Client(self.url, token="secret", ca_file=str(self.certificate)) as client:
+            self.assertEqual(client.server.health(), {"status": "ok"})
+        with self.assertRaises(lares.LaresError) as caught:
+            lares.Client(self.url, token="secret", retries=0).server.health()
+        self.assertEqual(caught.exception.code, "not-trusted")
+        other = self.url.replace("localhost", "127.0.0.1")  # not the name that it is for
+        with self.assertRaises(lares.LaresError):
+            lares.Client(other, ca_file=str(self.certificate), retries=0).server.health()
+        self.assertEqual(len(self.server.asked), 1)
 
 
 class TimeoutTest(unittest.TestCase):
