@@ -75,6 +75,8 @@ int Run(int argc, const char* const* argv) {
     AddWatch(app, options);
     AddStore(app, options);
     AddStatus(app, options);
+    AddCompletion(app);
+    AddMan(app);
     return ParseAndRun(app, options, argc, argv);
   } catch (const std::exception& error) {
     PrintError(error);

@@ -47,6 +47,8 @@ void AddWhy(CLI::App& app, const Options& options);  // why and why-not
 void AddDistance(CLI::App& app, const Options& options);
 void AddStore(CLI::App& app, const Options& options);
 void AddStatus(CLI::App& app, const Options& options);
+void AddCompletion(CLI::App& app);  // both print what the tree below `app`, the root, says
+void AddMan(CLI::App& app);
 
 // A subcommand with its examples below the help.
 CLI::App* AddCommand(CLI::App& parent, const std::string& name, const std::string& what,

@@ -8,6 +8,7 @@
 #include "server/api/api.h"
 #include "server/cli/command.h"
 #include "server/cli/print.h"
+#include "server/cli/service_manager.h"
 #include "server/cli/store_place.h"
 #include "server/http/log.h"
 #include "server/http/origin_check.h"
@@ -75,9 +76,11 @@ void Serve(const ServeOptions& serve) {
   http::Log(http::LogLevel::kInfo, "ready",
             {{"url", server.url()}, {"data", Describe(serve.place)}});
   Print("Lares is ready at " + server.url() + "\n");
+  TellServiceManager("READY=1\nSTATUS=Ready at " + server.url());
 
   signals.Wait();
   http::Log(http::LogLevel::kInfo, "stopping");
+  TellServiceManager("STOPPING=1");
   std::thread([signals] {
     signals.Wait();
     std::_Exit(1);  // asked twice: at once
