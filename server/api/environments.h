@@ -8,10 +8,9 @@
 
 namespace lares::api {
 
-// `number` as it stands in a path: "3" or "latest". Throws kInvalid, kNotFound (with similar
-// names).
-store::EnvironmentVersion FindVersion(const store::Store& store, const std::string& environment,
-                                      const std::string& number);
+// The version that the path's {id} and {number} ("3" or "latest") name. Throws kInvalid, kNotFound
+// (with similar names among those that the caller's token reaches).
+store::EnvironmentVersion FindVersion(const http::Request& request, const store::Store& store);
 
 // The answer to a version that was taken, with its ETag and Location.
 http::Response VersionCreated(const server::Knowledge::VersionAnswer& answer);

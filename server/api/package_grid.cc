@@ -7,8 +7,7 @@ namespace lares::api {
 namespace {
 
 http::Response GetGridFile(const http::Request& request, Context& context, bool is_image) {
-  const store::EnvironmentVersion version =
-      FindVersion(context.store, request.Param("id"), request.Param("number"));
+  const store::EnvironmentVersion version = FindVersion(request, context.store);
   const auto grid =
       context.knowledge.MakeRobotGrid(request.Param("robot"), version.environment, version.number);
   http::Response response;

@@ -7,7 +7,7 @@
 namespace lares::store {
 namespace {
 
-constexpr int kSchemaVersion = 2;
+constexpr int kSchemaVersion = 3;
 
 // Times are milliseconds since 1970. `latest` is the number of the newest version. A name is
 // `current` when it belongs to the newest version of a document that is not deleted; only those
@@ -79,6 +79,39 @@ CREATE TABLE layers (
 ) WITHOUT ROWID;
 )sql";
 
+// Access: tokens and the audit log of writes, since schema 3. Times and limits of 0 are none;
+// `environments` are ids or prefixes, apart by spaces. In words that PostgreSQL takes too.
+constexpr const char* kAccessTables = R"sql(
+CREATE TABLE tokens (
+  id TEXT PRIMARY KEY,
+  label TEXT NOT NULL,
+  role TEXT NOT NULL,
+  environments TEXT NOT NULL,
+  secret_sha256 TEXT NOT NULL,
+  created BIGINT NOT NULL,
+  expires BIGINT NOT NULL,
+  revoked BIGINT NOT NULL,
+  max_requests_per_minute BIGINT NOT NULL,
+  max_bytes_per_day BIGINT NOT NULL,
+  max_queries BIGINT NOT NULL
+);
+CREATE TABLE audit (
+  id TEXT PRIMARY KEY,
+  time BIGINT NOT NULL,
+  token TEXT NOT NULL,
+  label TEXT NOT NULL,
+  operation TEXT NOT NULL,
+  target TEXT NOT NULL,
+  environment TEXT NOT NULL,
+  version BIGINT NOT NULL,
+  status BIGINT NOT NULL,
+  result TEXT NOT NULL,
+  request_id TEXT NOT NULL,
+  bytes BIGINT NOT NULL
+);
+CREATE INDEX audit_of_tokens ON audit (token, time);
+)sql";
+
 // From schema 1, whose versions took type and label from their environment.
 constexpr const char* kFromSchema1 = R"sql(
 ALTER TABLE environment_versions ADD COLUMN type_iri TEXT NOT NULL DEFAULT '';
@@ -86,7 +119,6 @@ ALTER TABLE environment_versions ADD COLUMN label TEXT NOT NULL DEFAULT '';
 UPDATE environment_versions SET
   type_iri = (SELECT e.type_iri FROM environments e WHERE e.key = environment),
   label = (SELECT e.label FROM environments e WHERE e.key = environment);
-UPDATE schema_version SET version = 2;
 )sql";
 
 bool HasTables(Database& database) {
@@ -102,6 +134,7 @@ bool HasTable(Database& database, std::string_view name) {
 void CreateTables(Database& database) {
   Transaction transaction(database, Transaction::Kind::kWrite);
   database.RunScript(kSchema);
+  database.RunScript(kAccessTables);
   database.Run("INSERT INTO schema_version VALUES (?)", {kSchemaVersion});
   transaction.Commit();
 }
@@ -123,7 +156,9 @@ std::int64_t CheckVersion(Database& database, const std::filesystem::path& file)
 void Migrate(Database& database, std::int64_t version) {
   if (version == kSchemaVersion) return;
   Transaction transaction(database, Transaction::Kind::kWrite);
-  database.RunScript(kFromSchema1);
+  if (version < 2) database.RunScript(kFromSchema1);
+  database.RunScript(kAccessTables);
+  database.Run("UPDATE schema_version SET version = ?", {kSchemaVersion});
   transaction.Commit();
 }
 

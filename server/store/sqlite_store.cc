@@ -4,9 +4,11 @@
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "server/store/audit.h"
 #include "server/store/documents.h"
 #include "server/store/environments.h"
 #include "server/store/schema.h"
+#include "server/store/tokens.h"
 #include "server/store/verify.h"
 
 namespace lares::store {
@@ -183,6 +185,44 @@ std::vector<std::string> SqliteStore::Verify() const {
   const std::vector<std::string> damaged = blobs_.Verify();
   problems.insert(problems.end(), damaged.begin(), damaged.end());
   return problems;
+}
+
+void SqliteStore::AddToken(const TokenRecord& token) {
+  Write([&](Database& database) {
+    store::AddToken(database, token);
+    return true;
+  });
+}
+
+std::optional<TokenRecord> SqliteStore::FindToken(const std::string& id) const {
+  return Read([&](Database& database) { return store::FindToken(database, id); });
+}
+
+std::vector<TokenRecord> SqliteStore::ListTokens() const {
+  return Read([](Database& database) { return store::ListTokens(database); });
+}
+
+bool SqliteStore::HasTokens() const {
+  return Read([](Database& database) { return store::HasTokens(database); });
+}
+
+TokenRecord SqliteStore::RevokeToken(const std::string& id, Time when) {
+  return Write([&](Database& database) { return store::RevokeToken(database, id, when); });
+}
+
+void SqliteStore::AddAudit(const AuditRecord& record) {
+  Write([&](Database& database) {
+    store::AddAudit(database, record);
+    return true;
+  });
+}
+
+std::vector<AuditRecord> SqliteStore::ListAudit(const AuditQuery& query) const {
+  return Read([&](Database& database) { return store::ListAudit(database, query); });
+}
+
+std::uint64_t SqliteStore::BytesStoredSince(const std::string& token, Time since) const {
+  return Read([&](Database& database) { return store::BytesStoredSince(database, token, since); });
 }
 
 std::unique_ptr<Store> OpenSqliteStore(const StoreOptions& options, const Seams& seams) {

@@ -77,6 +77,15 @@ class SqliteStore final : public Store {
   std::string health() const override;
   std::vector<std::string> Verify() const override;
 
+  void AddToken(const TokenRecord& token) override;
+  std::optional<TokenRecord> FindToken(const std::string& id) const override;
+  std::vector<TokenRecord> ListTokens() const override;
+  bool HasTokens() const override;
+  TokenRecord RevokeToken(const std::string& id, Time when) override;
+  void AddAudit(const AuditRecord& record) override;
+  std::vector<AuditRecord> ListAudit(const AuditQuery& query) const override;
+  std::uint64_t BytesStoredSince(const std::string& token, Time since) const override;
+
  private:
   // `work(database)` in one snapshot.
   template <typename Work>

@@ -90,7 +90,7 @@ TEST_F(OpenTest, NewerSchemaIsRefusedByItsNumberAndLeftAlone) {
   const Error error = OpenError();
   EXPECT_EQ(error.code(), Code::kInvalid);
   EXPECT_THAT(error.what(), HasSubstr("schema 7"));
-  RunSql(folder_.path() / "lares.sqlite", "UPDATE schema_version SET version = 2");
+  RunSql(folder_.path() / "lares.sqlite", "UPDATE schema_version SET version = 3");
   EXPECT_TRUE(Open()->FindDocument(DocumentKind::kRecipe, "a"));
 }
 
@@ -106,11 +106,22 @@ TEST_F(OpenTest, StoreOfTheFirstSchemaIsBroughtToThisOneWithItsVersions) {
   RunSql(folder_.path() / "lares.sqlite",
          "ALTER TABLE environment_versions DROP COLUMN type_iri;"
          "ALTER TABLE environment_versions DROP COLUMN label;"
+         "DROP TABLE tokens; DROP TABLE audit;"
          "UPDATE schema_version SET version = 1");
   const std::unique_ptr<Store> store = Open();
   EXPECT_EQ(store->GetVersion("e", 1).type_iri, "t");
   EXPECT_EQ(store->GetVersion("e", 1).label, "l");
   EXPECT_TRUE(store->Verify().empty());
+}
+
+TEST_F(OpenTest, StoreOfTheSecondSchemaGetsTheTablesOfAccess) {
+  Open()->PutDocument(Recipe("a", "1"));
+  RunSql(folder_.path() / "lares.sqlite",
+         "DROP TABLE tokens; DROP TABLE audit; UPDATE schema_version SET version = 2");
+  const std::unique_ptr<Store> store = Open();
+  EXPECT_FALSE(store->HasTokens());
+  EXPECT_TRUE(store->ListAudit({}).empty());
+  EXPECT_TRUE(store->FindDocument(DocumentKind::kRecipe, "a"));
 }
 
 TEST_F(OpenTest, DatabaseOfAnotherProgramIsRefusedAndLeftAlone) {
