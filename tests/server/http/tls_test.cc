@@ -160,9 +160,10 @@ TEST_F(TlsTest, OldVersionsOfTheProtocolAreRefused) {
 
 TEST_F(TlsTest, PlainTextAndGarbageAreDroppedAndTheServerGoesOn) {
   Start();
-  for (const std::string bytes : {std::string("GET /hello HTTP/1.1\r\nHost: localhost\r\n\r\n"),
-                                  std::string("\x16\x03\x01\xff\xff", 5) + std::string(40'000, 'z'),
-                                  std::string(1000, '\0')}) {
+  for (const std::string& bytes :
+       {std::string("GET /hello HTTP/1.1\r\nHost: localhost\r\n\r\n"),
+        std::string("\x16\x03\x01\xff\xff", 5) + std::string(40'000, 'z'),
+        std::string(1000, '\0')}) {
     RawClient client(server_->port());
     client.Say(bytes);
     EXPECT_THAT(client.Hear("", seconds(5)), ::testing::Not(HasSubstr("hello")));
