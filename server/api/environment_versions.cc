@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "server/api/answers.h"
 #include "server/api/environments.h"
+#include "server/api/scope.h"
 #include "server/http/problem.h"
 #include "server/knowledge/versions.h"
 
@@ -56,22 +57,22 @@ bool Flag(const PlainJson& json, const char* name) {
 
 // A number or a tag, as a number; 0 when it is not there.
 int VersionOf(const PlainJson& json, const char* name, const std::string& environment,
-              const Context& context) {
+              const http::Request& request, const Context& context) {
   if (!json.contains(name)) return 0;
   const PlainJson& value = json[name];
   if (value.is_string()) {
-    return FindVersion(context.store, environment, value.get<std::string>()).number;
+    return FindVersion(request, context.store, environment, value.get<std::string>()).number;
   }
   if (value.is_number_integer()) {
-    return FindVersion(context.store, environment, value.dump()).number;
+    return FindVersion(request, context.store, environment, value.dump()).number;
   }
   throw Error(Code::kInvalid, std::string("'") + name + "' must be a version: a number or a tag");
 }
 
 int RequiredVersion(const PlainJson& json, const char* name, const std::string& environment,
-                    const Context& context) {
+                    const http::Request& request, const Context& context) {
   if (!json.contains(name)) throw Error(Code::kInvalid, std::string("'") + name + "' is missing");
-  return VersionOf(json, name, environment, context);
+  return VersionOf(json, name, environment, request, context);
 }
 
 server::VersionBy ReadBy(const PlainJson& json, const http::Request& request) {
@@ -144,9 +145,9 @@ double QueryMetres(const http::Request& request, const char* name, double otherw
 http::Response Diff(const http::Request& request, Context& context) {
   const std::string& id = request.Param("id");
   const store::EnvironmentVersion after =
-      FindVersion(context.store, id, request.Query("to").value_or("latest"));
+      FindVersion(request, context.store, id, request.Query("to").value_or("latest"));
   const auto from = request.Query("from");
-  const int before = from ? FindVersion(context.store, id, *from).number
+  const int before = from ? FindVersion(request, context.store, id, *from).number
                           : (after.parents.empty() ? after.number : after.parents.front());
   semantic::DiffTolerance tolerance;
   tolerance.distance_m = QueryMetres(request, "tolerance_m", tolerance.distance_m);
@@ -175,9 +176,10 @@ http::Response Diff(const http::Request& request, Context& context) {
 http::Response RollBack(const http::Request& request, Context& context) {
   const std::string& id = request.Param("id");
   const PlainJson json = ReadObject(request, {"to", "author", "robot", "mission", "note"});
-  FindVersion(context.store, id, "latest");
-  return VersionCreated(server::RollBack(
-      context.knowledge, id, RequiredVersion(json, "to", id, context), ReadBy(json, request)));
+  FindVersion(request, context.store, id, "latest");
+  return VersionCreated(server::RollBack(context.knowledge, id,
+                                         RequiredVersion(json, "to", id, request, context),
+                                         ReadBy(json, request)));
 }
 
 rdf::Side ReadSide(const PlainJson& value, const std::string& name) {
@@ -218,9 +220,9 @@ server::MergeRequest ReadMerge(const http::Request& request, const Context& cont
   merge.environment = request.Param("id");
   const PlainJson json = ReadObject(request, {"theirs", "ours", "dry_run", "take", "otherwise",
                                               "author", "robot", "mission", "note"});
-  FindVersion(context.store, merge.environment, "latest");
-  merge.theirs = RequiredVersion(json, "theirs", merge.environment, context);
-  merge.ours = VersionOf(json, "ours", merge.environment, context);
+  FindVersion(request, context.store, merge.environment, "latest");
+  merge.theirs = RequiredVersion(json, "theirs", merge.environment, request, context);
+  merge.ours = VersionOf(json, "ours", merge.environment, request, context);
   merge.dry_run = Flag(json, "dry_run");
   merge.by = ReadBy(json, request);
   if (json.contains("take")) {
@@ -269,7 +271,7 @@ Json ToJson(const store::Pin& pin) {
 }
 
 http::Response ListTags(const http::Request& request, Context& context) {
-  FindVersion(context.store, request.Param("id"), "latest");
+  FindVersion(request, context.store, request.Param("id"), "latest");
   Json json{{"items", Json::array()}};
   for (const store::Tag& tag : context.store.Tags(request.Param("id"))) {
     json["items"].push_back(ToJson(tag));
@@ -280,18 +282,18 @@ http::Response ListTags(const http::Request& request, Context& context) {
 http::Response PutTag(const http::Request& request, Context& context) {
   const std::string& id = request.Param("id");
   const PlainJson json = ReadObject(request, {"version", "move", "author", "note"});
-  FindVersion(context.store, id, "latest");
+  FindVersion(request, context.store, id, "latest");
   store::Tag tag;
   tag.environment = id;
   tag.name = request.Param("tag");
-  tag.number = VersionOf(json, "version", id, context);
+  tag.number = VersionOf(json, "version", id, request, context);
   tag.author = Text(json, "author");
   tag.note = Text(json, "note");
   return JsonAnswer(ToJson(context.store.PutTag(tag, Flag(json, "move"))));
 }
 
 http::Response DeleteTag(const http::Request& request, Context& context) {
-  FindVersion(context.store, request.Param("id"), "latest");
+  FindVersion(request, context.store, request.Param("id"), "latest");
   context.store.DeleteTag(request.Param("id"), request.Param("tag"));
   http::Response response;
   response.status = 204;
@@ -305,6 +307,7 @@ std::string RobotOf(const http::Request& request, Context& context) {
 http::Response ListPins(const http::Request& request, Context& context) {
   Json json{{"items", Json::array()}};
   for (const store::Pin& pin : context.store.Pins(RobotOf(request, context))) {
+    if (!Reaches(request, pin.environment)) continue;
     json["items"].push_back(ToJson(pin));
   }
   return JsonAnswer(json);
@@ -312,17 +315,19 @@ http::Response ListPins(const http::Request& request, Context& context) {
 
 http::Response PutPin(const http::Request& request, Context& context) {
   const std::string& environment = request.Param("environment");
+  CheckReach(request, environment);
   const PlainJson json = ReadObject(request, {"version", "author"});
-  FindVersion(context.store, environment, "latest");
+  FindVersion(request, context.store, environment, "latest");
   store::Pin pin;
   pin.robot = RobotOf(request, context);
   pin.environment = environment;
-  pin.number = VersionOf(json, "version", environment, context);
+  pin.number = VersionOf(json, "version", environment, request, context);
   pin.author = Text(json, "author");
   return JsonAnswer(ToJson(context.store.PutPin(pin)));
 }
 
 http::Response DeletePin(const http::Request& request, Context& context) {
+  CheckReach(request, request.Param("environment"));
   context.store.DeletePin(RobotOf(request, context), request.Param("environment"));
   http::Response response;
   response.status = 204;

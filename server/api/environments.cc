@@ -7,14 +7,21 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "server/api/answers.h"
+#include "server/api/scope.h"
 
 namespace lares::api {
 namespace {
 
-store::EnvironmentInfo FindEnvironment(const store::Store& store, const std::string& id) {
-  if (auto found = store.FindEnvironment(id)) return *found;
+// The id of one that is there and that the caller's token reaches.
+store::EnvironmentInfo FindEnvironment(const http::Request& request, const store::Store& store,
+                                       const std::string& id) {
+  if (Reaches(request, id)) {
+    if (auto found = store.FindEnvironment(id)) return *found;
+  }
   std::vector<std::string> ids;
-  for (const auto& environment : store.ListEnvironments()) ids.push_back(environment.id);
+  for (const auto& environment : store.ListEnvironments()) {
+    if (Reaches(request, environment.id)) ids.push_back(environment.id);
+  }
   throw Error(Code::kNotFound, "there is no environment '" + id + "'")
       .WithCandidates(SimilarNames(id, ids));
 }
@@ -43,10 +50,26 @@ server::EnvironmentQuery ReadQuery(const http::Request& request) {
   return query;
 }
 
+// Page after page, until there are `limit` that the caller's token reaches.
+std::vector<store::EnvironmentInfo> FindReached(const http::Request& request, Context& context,
+                                                server::EnvironmentQuery query) {
+  std::vector<store::EnvironmentInfo> reached;
+  const std::size_t limit = query.limit;
+  for (;;) {
+    const std::vector<store::EnvironmentInfo> page = context.knowledge.SearchEnvironments(query);
+    for (const store::EnvironmentInfo& found : page) {
+      if (Reaches(request, found.id)) reached.push_back(found);
+      if (reached.size() == limit) return reached;
+    }
+    if (page.size() < query.limit) return reached;
+    query.after = page.back().id;
+  }
+}
+
 http::Response ListEnvironments(const http::Request& request, Context& context) {
   server::EnvironmentQuery query = ReadQuery(request);
   const std::size_t limit = query.limit++;  // one more tells whether there is a next page
-  std::vector<store::EnvironmentInfo> found = context.knowledge.SearchEnvironments(query);
+  std::vector<store::EnvironmentInfo> found = FindReached(request, context, query);
   const bool more = found.size() > limit;
   if (more) found.pop_back();
   Json json{{"items", Json::array()}, {"next", nullptr}};
@@ -58,7 +81,8 @@ http::Response ListEnvironments(const http::Request& request, Context& context) 
 }
 
 http::Response GetEnvironment(const http::Request& request, const Context& context) {
-  const store::EnvironmentInfo environment = FindEnvironment(context.store, request.Param("id"));
+  const store::EnvironmentInfo environment =
+      FindEnvironment(request, context.store, request.Param("id"));
   const store::EnvironmentVersion latest = context.store.GetVersion(environment.id, 0);
   Json json = ToJson(environment);
   json["version"] = ToJson(latest);
@@ -69,7 +93,7 @@ http::Response GetEnvironment(const http::Request& request, const Context& conte
 
 http::Response ListVersions(const http::Request& request, const Context& context) {
   const std::string& id = request.Param("id");
-  FindEnvironment(context.store, id);
+  FindEnvironment(request, context.store, id);
   const std::vector<store::EnvironmentVersion> versions = context.store.Log(id);
   return Page(
       request, versions.size(), [&](std::size_t i) { return std::to_string(versions[i].number); },
@@ -94,9 +118,9 @@ http::Response ListObjects(const http::Request& request, Context& context) {
 
 }  // namespace
 
-store::EnvironmentVersion FindVersion(const store::Store& store, const std::string& environment,
-                                      const std::string& name) {
-  FindEnvironment(store, environment);
+store::EnvironmentVersion FindVersion(const http::Request& request, const store::Store& store,
+                                      const std::string& environment, const std::string& name) {
+  FindEnvironment(request, store, environment);
   if (name == "latest") return store.GetVersion(environment, 0);
   int value = 0;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), value);
@@ -124,17 +148,17 @@ store::EnvironmentVersion FindVersion(const http::Request& request, Context& con
   }
   if (as_of && robot) throw Error(Code::kInvalid, "?as_of= and ?robot= exclude one another");
   if (as_of) {
-    FindEnvironment(context.store, environment);
+    FindEnvironment(request, context.store, environment);
     return context.store.GetVersion(environment, context.store.VersionAsOf(environment, *as_of));
   }
   if (robot) {
-    FindEnvironment(context.store, environment);
+    FindEnvironment(request, context.store, environment);
     const std::string id =
         context.knowledge.Resolve(store::DocumentKind::kRobot, *robot).document.id;
     const auto pin = context.store.FindPin(id, environment);
     return context.store.GetVersion(environment, pin ? pin->number : 0);
   }
-  return FindVersion(context.store, environment, name);
+  return FindVersion(request, context.store, environment, name);
 }
 
 int ChosenVersion(const http::Request& request, const store::Store& store,
@@ -146,8 +170,8 @@ int ChosenVersion(const http::Request& request, const store::Store& store,
     throw Error(Code::kInvalid, "?version= and ?as_of= need an ?environment=");
   }
   if (name && as_of) throw Error(Code::kInvalid, "?version= and ?as_of= exclude one another");
-  if (name) return FindVersion(store, environment, *name).number;
-  FindEnvironment(store, environment);
+  if (name) return FindVersion(request, store, environment, *name).number;
+  FindEnvironment(request, store, environment);
   return store.VersionAsOf(environment, *as_of);
 }
 

@@ -11,11 +11,11 @@
 namespace lares::api {
 
 // `name` as it stands in a path: "3", "latest" or a tag. Throws kInvalid, kNotFound (with similar
-// names).
-store::EnvironmentVersion FindVersion(const store::Store& store, const std::string& environment,
-                                      const std::string& name);
+// names among those that the caller's token reaches).
+store::EnvironmentVersion FindVersion(const http::Request& request, const store::Store& store,
+                                      const std::string& environment, const std::string& name);
 
-// The version that a route's {id} and {number} name; with "latest", ?as_of= a time asks for what
+// The version that the path's {id} and {number} name; with "latest", ?as_of= a time asks for what
 // was the newest then, and ?robot= for what that robot is pinned to, if it is.
 store::EnvironmentVersion FindVersion(const http::Request& request, Context& context);
 

@@ -13,7 +13,7 @@ class App;
 namespace lares::cli {
 
 struct Options {
-  std::string server = "http://127.0.0.1:8080";
+  ServerAddress server;
   bool json = false;  // print what the server answered
 };
 
@@ -37,6 +37,8 @@ void AddObjectModel(CLI::App& app, const Options& options);
 void AddSkill(CLI::App& app, const Options& options);
 void AddPlan(CLI::App& app, Options& options);
 void AddPlanDiff(CLI::App& plan, Options& options);  // below `lares plan`
+void AddToken(CLI::App& app, const Options& options);
+void AddAudit(CLI::App& app, const Options& options);
 void AddPrior(CLI::App& app, const Options& options);
 void AddProlog(CLI::App& app, const Options& options);
 void AddQuarantine(CLI::App& app, const Options& options);
@@ -49,6 +51,9 @@ void AddStore(CLI::App& app, const Options& options);
 void AddStatus(CLI::App& app, const Options& options);
 void AddCompletion(CLI::App& app);  // both print what the tree below `app`, the root, says
 void AddMan(CLI::App& app);
+
+// --token-file and --ca.
+void AddServerOptions(CLI::App& app, Options& options);
 
 // A subcommand with its examples below the help.
 CLI::App* AddCommand(CLI::App& parent, const std::string& name, const std::string& what,

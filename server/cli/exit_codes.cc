@@ -19,7 +19,8 @@ const std::vector<ExitMeaning>& ExitMeanings() {
        "the input was refused: malformed, contradictory, too large, not supported, not allowed",
        {"invalid", "too-large", "unsupported", "forbidden", "bad-request", "method-not-allowed",
         "not-acceptable", "length-unknown", "uri-too-long", "range-not-satisfiable",
-        "headers-too-large", "goal-error", "foreign-term", "contradiction"}},
+        "headers-too-large", "goal-error", "foreign-term", "contradiction", "token-missing",
+        "token-invalid", "token-expired", "token-revoked", "role-too-low"}},
       {ExitCode::kNoSuchName,
        "a name that nothing, or more than one thing, answers to",
        {"not-found", "ambiguous"}},
@@ -31,8 +32,9 @@ const std::vector<ExitMeaning>& ExitMeanings() {
        "not possible for this robot, or a person has to choose first",
        {"not-feasible", "choice-needed", "recipe-unusable"}},
       {ExitCode::kUnavailable,
-       "the server cannot do it now: storage full, stopping, out of time",
-       {"unavailable", "timeout", "request-timeout"}},
+       "the server cannot do it now: storage full, stopping, out of time, or a token's limit",
+       {"unavailable", "timeout", "request-timeout", "too-many-requests", "too-many-bytes",
+        "too-many-queries"}},
       {ExitCode::kFindings, "a check found something", {}},
   };
   return meanings;

@@ -28,8 +28,6 @@ std::string Summary(const store::BackupReport& report) {
          "\ndigest " + report.digest + "\n";
 }
 
-bool IsNamed(const StorePlace& place) { return !place.data.empty() || !place.store.empty(); }
-
 Json VerifyHere(const StorePlace& place) {
   const std::unique_ptr<store::Store> store = OpenStore(place);
   return {{"problems", store->Verify()}, {"digest", store->Digest()}};

@@ -24,6 +24,8 @@ fs::path DefaultDataFolder() {
 
 }  // namespace
 
+bool IsNamed(const StorePlace& place) { return !place.data.empty() || !place.store.empty(); }
+
 void AddStorePlace(CLI::App& command, StorePlace& place) {
   const auto not_empty = [](const std::string& text) {
     return text.empty() ? std::string("names nothing") : std::string();
@@ -56,6 +58,11 @@ std::unique_ptr<store::Store> OpenStore(const StorePlace& place) {
 std::string DataFolder(const StorePlace& place) {
   if (!place.store.empty()) throw Error(Code::kInvalid, "this is for a store in a folder (--data)");
   return place.data.empty() ? DefaultDataFolder().string() : place.data;
+}
+
+std::string OptionsOf(const StorePlace& place) {
+  if (place.store.empty()) return "--data '" + DataFolder(place) + "'";
+  return "--store URL --blobs '" + place.blobs + "'";
 }
 
 std::string Describe(const StorePlace& place) {

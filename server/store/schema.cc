@@ -126,6 +126,37 @@ CREATE TABLE store_state (
 INSERT INTO store_state VALUES ('revision', 1);
 )sql";
 
+constexpr std::string_view kAccessTables = R"sql(
+CREATE TABLE tokens (
+  id TEXT PRIMARY KEY,
+  label TEXT NOT NULL,
+  role TEXT NOT NULL,
+  environments TEXT NOT NULL,
+  secret_sha256 TEXT NOT NULL,
+  created BIGINT NOT NULL,
+  expires BIGINT NOT NULL,
+  revoked BIGINT NOT NULL,
+  max_requests_per_minute BIGINT NOT NULL,
+  max_bytes_per_day BIGINT NOT NULL,
+  max_queries BIGINT NOT NULL
+);
+CREATE TABLE audit (
+  id TEXT PRIMARY KEY,
+  time BIGINT NOT NULL,
+  token TEXT NOT NULL,
+  label TEXT NOT NULL,
+  operation TEXT NOT NULL,
+  target TEXT NOT NULL,
+  environment TEXT NOT NULL,
+  version BIGINT NOT NULL,
+  status BIGINT NOT NULL,
+  result TEXT NOT NULL,
+  request_id TEXT NOT NULL,
+  bytes BIGINT NOT NULL
+);
+CREATE INDEX audit_of_tokens ON audit (token, time);
+)sql";
+
 // From schema 1, whose versions took type and label from their environment.
 constexpr std::string_view kFromSchema1 = R"sql(
 ALTER TABLE environment_versions ADD COLUMN type_iri TEXT NOT NULL DEFAULT '';
@@ -214,6 +245,16 @@ const std::vector<ContentTable>& ContentTables() {
        "field, value, environment, source",
        false},
       {"environment_values", {"field", "value", "text"}, "field, value", false},
+      {"tokens",
+       {"id", "label", "role", "environments", "secret_sha256", "created", "expires", "revoked",
+        "max_requests_per_minute", "max_bytes_per_day", "max_queries"},
+       "id",
+       false},
+      {"audit",
+       {"id", "time", "token", "label", "operation", "target", "environment", "version", "status",
+        "result", "request_id", "bytes"},
+       "id",
+       false},
   };
   return kTables;
 }
@@ -221,7 +262,8 @@ const std::vector<ContentTable>& ContentTables() {
 void CreateTables(Database& database) {
   database.RunScript(
       ForDialect("CREATE TABLE schema_version (version BIGINT NOT NULL);", database.dialect()));
-  for (const std::string_view tables : {kDocumentTables, kEnvironmentTables, kVersionTables}) {
+  for (const std::string_view tables :
+       {kDocumentTables, kEnvironmentTables, kVersionTables, kAccessTables}) {
     database.RunScript(ForDialect(tables, database.dialect()));
   }
   database.Run("INSERT INTO schema_version VALUES (?)", {kSchemaVersion});
@@ -247,6 +289,7 @@ void MigrateTables(Database& database, int version) {
   if (version < 3) {
     database.RunScript(ForDialect(kFromSchema2, database.dialect()));
     database.RunScript(ForDialect(kVersionTables, database.dialect()));
+    database.RunScript(ForDialect(kAccessTables, database.dialect()));
   }
   database.Run("UPDATE schema_version SET version = ?", {kSchemaVersion});
 }

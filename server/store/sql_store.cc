@@ -5,11 +5,13 @@
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "server/store/audit.h"
 #include "server/store/copy.h"
 #include "server/store/documents.h"
 #include "server/store/environments.h"
 #include "server/store/search.h"
 #include "server/store/tags.h"
+#include "server/store/tokens.h"
 #include "server/store/verify.h"
 
 namespace lares::store {
@@ -207,6 +209,44 @@ BackupReport SqlStore::FillFrom(const fs::path& backup, const Progress& progress
   const BackupSource source(backup);
   source.CopyBlobs(blobs_, progress);
   return Write([&](Database& database) { return source.CopyRows(database); });
+}
+
+void SqlStore::AddToken(const TokenRecord& token) {
+  Write([&](Database& database) {
+    store::AddToken(database, token);
+    return true;
+  });
+}
+
+std::optional<TokenRecord> SqlStore::FindToken(const std::string& id) const {
+  return Read([&](Database& database) { return store::FindToken(database, id); });
+}
+
+std::vector<TokenRecord> SqlStore::ListTokens() const {
+  return Read([](Database& database) { return store::ListTokens(database); });
+}
+
+bool SqlStore::HasTokens() const {
+  return Read([](Database& database) { return store::HasTokens(database); });
+}
+
+TokenRecord SqlStore::RevokeToken(const std::string& id, Time when) {
+  return Write([&](Database& database) { return store::RevokeToken(database, id, when); });
+}
+
+void SqlStore::AddAudit(const AuditRecord& record) {
+  Write([&](Database& database) {
+    store::AddAudit(database, record);
+    return true;
+  });
+}
+
+std::vector<AuditRecord> SqlStore::ListAudit(const AuditQuery& query) const {
+  return Read([&](Database& database) { return store::ListAudit(database, query); });
+}
+
+std::uint64_t SqlStore::BytesStoredSince(const std::string& token, Time since) const {
+  return Read([&](Database& database) { return store::BytesStoredSince(database, token, since); });
 }
 
 std::string SqlStore::health() const { return health_.reason(); }

@@ -57,6 +57,15 @@ class SqlStore : public Store {
   std::string Digest() const override;
   BackupReport FillFrom(const std::filesystem::path& backup, const Progress& progress) override;
 
+  void AddToken(const TokenRecord& token) override;
+  std::optional<TokenRecord> FindToken(const std::string& id) const override;
+  std::vector<TokenRecord> ListTokens() const override;
+  bool HasTokens() const override;
+  TokenRecord RevokeToken(const std::string& id, Time when) override;
+  void AddAudit(const AuditRecord& record) override;
+  std::vector<AuditRecord> ListAudit(const AuditQuery& query) const override;
+  std::uint64_t BytesStoredSince(const std::string& token, Time since) const override;
+
   std::string health() const override;
   std::vector<std::string> Verify() const override;
 

@@ -194,6 +194,47 @@ struct EnvironmentSearch {
   std::size_t limit = 100;
 };
 
+// --- Access ---------------------------------------------------------------------------------
+
+// A token that was given out. Times and limits of 0 are none.
+struct TokenRecord {
+  std::string id;
+  std::string label;                      // whose it is, for people
+  std::string role;                       // "reader", "robot", "editor", "admin"
+  std::vector<std::string> environments;  // ids, or prefixes that end with '*'; empty: all
+  std::string secret_sha256;
+  Time created{};
+  std::optional<Time> expires;
+  std::optional<Time> revoked;
+  std::int64_t max_requests_per_minute = 0;
+  std::int64_t max_bytes_per_day = 0;
+  std::int64_t max_queries = 0;  // that run at the same time
+};
+
+// A write that was done or refused.
+struct AuditRecord {
+  std::string id;  // given by the store; sorts by time
+  Time time{};
+  std::string token;  // id; "" when none was needed
+  std::string label;  // of the token
+  std::string operation;
+  std::string target;       // path of what was written
+  std::string environment;  // id, where it was about one
+  int version = 0;          // that was made; 0: none
+  int status = 0;           // of the answer
+  std::string result;       // "done", or the code of the problem
+  std::string request_id;
+  std::uint64_t bytes = 0;  // of the request's body
+};
+
+struct AuditQuery {
+  Time since{};
+  std::string token;        // id; "" all
+  std::string environment;  // id; "" all
+  std::string before;       // id of a record: those that are older than it; "" the newest
+  int limit = 100;
+};
+
 // --- The store --------------------------------------------------------------------------------
 
 // Holds something until it is dropped.
@@ -308,6 +349,20 @@ class Store {
   // Reads everything, each blob's bytes too, and checks hashes, references, numbers and the
   // database itself. One sentence for each thing that is wrong.
   virtual std::vector<std::string> Verify() const = 0;
+
+  // --- Access ---
+  // Throws kConflict when there is a token of that id.
+  virtual void AddToken(const TokenRecord& token) = 0;
+  virtual std::optional<TokenRecord> FindToken(const std::string& id) const = 0;
+  virtual std::vector<TokenRecord> ListTokens() const = 0;  // by creation
+  // Whether one was ever made; tokens are never removed.
+  virtual bool HasTokens() const = 0;
+  // The time of a token that is revoked already stays. Throws kNotFound.
+  virtual TokenRecord RevokeToken(const std::string& id, Time when) = 0;
+  virtual void AddAudit(const AuditRecord& record) = 0;
+  virtual std::vector<AuditRecord> ListAudit(const AuditQuery& query) const = 0;  // newest first
+  // Bytes that done writes of a token took in, since a time.
+  virtual std::uint64_t BytesStoredSince(const std::string& token, Time since) const = 0;
 };
 
 struct StoreOptions {
