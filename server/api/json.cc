@@ -145,6 +145,9 @@ Json ToJson(const semantic::MapObject& object) {
     json["age"] = ToAge(*object.last_seen, Now());
   }
   if (!object.recognised_with.empty()) json["recognised_with"] = object.recognised_with;
+  if (!object.part_of.empty()) json["part_of"] = object.part_of;
+  if (!object.room.empty()) json["room"] = object.room;
+  if (!object.maps.empty()) json["maps"] = object.maps;
   return json;
 }
 

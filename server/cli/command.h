@@ -34,6 +34,7 @@ void AddEnvironmentVersions(CLI::App& environment, const Options& options);
 void AddRobotPins(CLI::App& robot, const Options& options);
 void AddEnvironmentGet(CLI::App& environment, const Options& options);
 void AddObjectModel(CLI::App& app, const Options& options);
+void AddObjectModelTypical(CLI::App& model, const Options& options);
 void AddSkill(CLI::App& app, const Options& options);
 void AddPlan(CLI::App& app, Options& options);
 void AddPlanDiff(CLI::App& plan, Options& options);  // below `lares plan`
