@@ -16,6 +16,8 @@ http::Router MakeRouter(Context& context) {
   AddEnvironmentRoutes(router, context);
   AddEnvironmentUploadRoute(router, context);
   AddEnvironmentDownloadRoutes(router, context);
+  AddUploadRoutes(router, context);
+  AddBlobRoutes(router, context);
   AddRobotGridRoutes(router, context);
   AddQuarantineRoutes(router, context);
   AddPlanRoutes(router, context);

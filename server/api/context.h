@@ -37,6 +37,8 @@ void AddRobotGridRoutes(http::Router& router, Context& context);
 void AddRobotRoutes(http::Router& router, Context& context);
 void AddSkillTemplateRoutes(http::Router& router, Context& context);
 void AddObjectModelRoutes(http::Router& router, Context& context);
+void AddBlobRoutes(http::Router& router, Context& context);
+void AddUploadRoutes(http::Router& router, Context& context);
 void AddEnvironmentRoutes(http::Router& router, Context& context);
 void AddEnvironmentUploadRoute(http::Router& router, Context& context);
 void AddEnvironmentDownloadRoutes(http::Router& router, Context& context);

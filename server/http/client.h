@@ -39,10 +39,19 @@ struct Transfer {
   Progress downloaded;
 };
 
-// No server at that address: its own type, as the remedy is another than for any other fault.
-class NoServerError : public Error {
+// Gets status and headers once, before the body; what it throws passes through.
+using Answered = std::function<void(const ClientResponse&)>;
+
+// The connection broke, or there was none: asking again may help.
+class ConnectionError : public Error {
  public:
   using Error::Error;
+};
+
+// No server at that address: its own type, as the remedy is another than for any other fault.
+class NoServerError : public ConnectionError {
+ public:
+  using ConnectionError::ConnectionError;
 };
 
 // One connection, kept open. Not thread-safe.
@@ -53,9 +62,11 @@ class Client {
                   std::chrono::seconds answer_time = std::chrono::seconds(300));
   ~Client();
 
-  // Any status is an answer. Throws NoServerError, kIo (broken connection), kTimeout, kTooLarge
+  // Any status is an answer. Throws NoServerError, ConnectionError (kIo), kTimeout, kTooLarge
   // (an answer of more than 256 MiB without a sink).
   ClientResponse Send(const ClientRequest& request, const Transfer& transfer = {});
+  ClientResponse Send(const ClientRequest& request, const Transfer& transfer,
+                      const Answered& answered);
 
   const std::string& base_url() const;
 

@@ -3,11 +3,13 @@
 #include <string>
 
 #include "base/error.h"
+#include "server/store/blob_uses.h"
+#include "server/store/idempotency.h"
 
 namespace lares::store {
 namespace {
 
-constexpr int kSchemaVersion = 2;
+constexpr int kSchemaVersion = 3;
 
 // Times are milliseconds since 1970. `latest` is the number of the newest version. A name is
 // `current` when it belongs to the newest version of a document that is not deleted; only those
@@ -89,6 +91,9 @@ UPDATE environment_versions SET
 UPDATE schema_version SET version = 2;
 )sql";
 
+// What schema 3 has more than schema 2.
+const std::string kTransferTables = std::string(kIdempotencyTables) + kBlobUseIndexes;
+
 bool HasTables(Database& database) {
   Query query = database.Ask("SELECT count(*) FROM sqlite_master");
   return query.Next() && query.Int(0) > 0;
@@ -102,6 +107,7 @@ bool HasTable(Database& database, std::string_view name) {
 void CreateTables(Database& database) {
   Transaction transaction(database, Transaction::Kind::kWrite);
   database.RunScript(kSchema);
+  database.RunScript(kTransferTables);
   database.Run("INSERT INTO schema_version VALUES (?)", {kSchemaVersion});
   transaction.Commit();
 }
@@ -123,7 +129,9 @@ std::int64_t CheckVersion(Database& database, const std::filesystem::path& file)
 void Migrate(Database& database, std::int64_t version) {
   if (version == kSchemaVersion) return;
   Transaction transaction(database, Transaction::Kind::kWrite);
-  database.RunScript(kFromSchema1);
+  if (version == 1) database.RunScript(kFromSchema1);
+  database.RunScript(kTransferTables);
+  database.Run("UPDATE schema_version SET version = ?", {kSchemaVersion});
   transaction.Commit();
 }
 

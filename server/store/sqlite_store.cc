@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "server/store/blob_uses.h"
 #include "server/store/documents.h"
 #include "server/store/environments.h"
 #include "server/store/schema.h"
@@ -51,10 +52,12 @@ ReaderPool::Lease::~Lease() {
 SqliteStore::SqliteStore(const fs::path& folder, const Seams& seams)
     : lock_(folder / "lock"),
       blobs_(folder, *seams.files, health_),
+      uploads_(folder, *seams.files, health_, blobs_),
       checkpoint_pages_(seams.checkpoint_pages),
       writer_(folder / kDatabaseFile, Database::Access::kWrite, seams.sqlite_vfs),
       readers_(folder / kDatabaseFile, seams.sqlite_vfs) {
   PrepareForWriting(writer_, folder / kDatabaseFile);
+  ForgetInterruptedKeys(writer_);
   // What a crashed or failed process left in the log may be visible without being durable: it is
   // written anew, into the database file, before anything rests on it.
   writer_.CheckpointWhole();
@@ -156,7 +159,12 @@ EnvironmentVersion SqliteStore::PutVersion(const NewVersion& version) {
     layer.blob.size = blobs_.SizeOf(layer.blob.sha256);
     blobs_.MakeDurable(layer.blob.sha256);
   }
-  return Write([&](Database& database) { return AddVersion(database, sized); });
+  return Write([&](Database& database) {
+    EnvironmentVersion added = AddVersion(database, sized);
+    MarkWritten(database, version.request_key, version.request_fingerprint,
+                added.environment + "/" + std::to_string(added.number));
+    return added;
+  });
 }
 
 std::optional<EnvironmentInfo> SqliteStore::FindEnvironment(const std::string& id) const {
@@ -173,6 +181,29 @@ EnvironmentVersion SqliteStore::GetVersion(const std::string& id, int number) co
 
 std::vector<EnvironmentVersion> SqliteStore::Log(const std::string& id) const {
   return Read([&](Database& database) { return EnvironmentLog(database, id); });
+}
+
+std::vector<BlobUse> SqliteStore::BlobUses(const std::string& sha256) const {
+  return Read([&](Database& database) { return store::BlobUses(database, sha256); });
+}
+
+KeyRecord SqliteStore::Take(const std::string& key) {
+  return Write([&](Database& database) { return TakeKey(database, key, Now(), {}); });
+}
+
+void SqliteStore::Finish(const std::string& key, const KeyRecord& answer) {
+  Write([&](Database& database) {
+    FinishKey(database, key, answer);
+    if (finished_keys_++ % 64 == 0) PruneKeys(database, {});
+    return true;
+  });
+}
+
+void SqliteStore::Release(const std::string& key) {
+  Write([&](Database& database) {
+    ReleaseKey(database, key);
+    return true;
+  });
 }
 
 std::string SqliteStore::health() const { return health_.reason(); }

@@ -11,8 +11,10 @@
 #include "server/store/files.h"
 #include "server/store/folder_lock.h"
 #include "server/store/health.h"
+#include "server/store/idempotency.h"
 #include "server/store/sqlite.h"
 #include "server/store/store.h"
+#include "server/store/uploads.h"
 
 namespace lares::store {
 
@@ -50,7 +52,7 @@ class ReaderPool {
   std::vector<std::unique_ptr<Database>> idle_;
 };
 
-class SqliteStore final : public Store {
+class SqliteStore final : public Store, public IdempotencyKeys {
  public:
   SqliteStore(const std::filesystem::path& folder, const Seams& seams);
   ~SqliteStore() override;
@@ -74,6 +76,14 @@ class SqliteStore final : public Store {
   EnvironmentVersion GetVersion(const std::string& id, int number) const override;
   std::vector<EnvironmentVersion> Log(const std::string& id) const override;
 
+  std::vector<BlobUse> BlobUses(const std::string& sha256) const override;
+  Uploads& uploads() override { return uploads_; }
+  IdempotencyKeys& idempotency_keys() override { return *this; }
+
+  KeyRecord Take(const std::string& key) override;
+  void Finish(const std::string& key, const KeyRecord& answer) override;
+  void Release(const std::string& key) override;
+
   std::string health() const override;
   std::vector<std::string> Verify() const override;
 
@@ -89,9 +99,11 @@ class SqliteStore final : public Store {
   FolderLock lock_;
   mutable Health health_;
   BlobFolder blobs_;
+  Uploads uploads_;
   const int checkpoint_pages_;
   std::mutex writer_mutex_;
   Database writer_;
+  unsigned finished_keys_ = 0;  // with the writer
   mutable ReaderPool readers_;  // closed before the writer, which tidies up
 };
 

@@ -128,7 +128,25 @@ struct NewVersion {
   std::vector<LayerInfo> layers;  // added or replaced; blobs already committed
   std::vector<std::string> removed_layers;
   std::string if_match;  // as in NewDocument
+  // The idempotency key of the request that asks for it, and that request's fingerprint: with the
+  // version it becomes known that the key's write is done. "": none.
+  std::string request_key;
+  std::string request_fingerprint;
 };
+
+// --- Who refers to a blob ---------------------------------------------------------------------
+
+// A layer of an environment, or a version of a document.
+struct BlobUse {
+  std::string media_type;  // "" for a file beside a document, as the next
+  std::string file_name;
+  std::string environment;    // "" for a document
+  std::string document_kind;  // as ToString(DocumentKind); "" for a layer
+  std::string document;
+};
+
+class Uploads;          // uploads.h
+class IdempotencyKeys;  // idempotency.h
 
 // --- The store --------------------------------------------------------------------------------
 
@@ -175,6 +193,13 @@ class Store {
   virtual std::vector<EnvironmentInfo> ListEnvironments() const = 0;                   // by id
   virtual EnvironmentVersion GetVersion(const std::string& id, int number) const = 0;  // 0: latest
   virtual std::vector<EnvironmentVersion> Log(const std::string& id) const = 0;  // newest first
+
+  // Each once; empty when nothing refers to it.
+  virtual std::vector<BlobUse> BlobUses(const std::string& sha256) const = 0;
+
+  // Both live as long as the store.
+  virtual Uploads& uploads() = 0;
+  virtual IdempotencyKeys& idempotency_keys() = 0;
 
   // Empty when writes are accepted; otherwise why not.
   virtual std::string health() const = 0;

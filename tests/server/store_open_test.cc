@@ -6,6 +6,8 @@
 #include <fstream>
 
 #include "base/file.h"
+#include "base/hash.h"
+#include "server/store/idempotency.h"
 #include "tests/server/store_fixture.h"
 
 namespace lares::store::testing {
@@ -90,7 +92,7 @@ TEST_F(OpenTest, NewerSchemaIsRefusedByItsNumberAndLeftAlone) {
   const Error error = OpenError();
   EXPECT_EQ(error.code(), Code::kInvalid);
   EXPECT_THAT(error.what(), HasSubstr("schema 7"));
-  RunSql(folder_.path() / "lares.sqlite", "UPDATE schema_version SET version = 2");
+  RunSql(folder_.path() / "lares.sqlite", "UPDATE schema_version SET version = 3");
   EXPECT_TRUE(Open()->FindDocument(DocumentKind::kRecipe, "a"));
 }
 
@@ -110,6 +112,17 @@ TEST_F(OpenTest, StoreOfTheFirstSchemaIsBroughtToThisOneWithItsVersions) {
   const std::unique_ptr<Store> store = Open();
   EXPECT_EQ(store->GetVersion("e", 1).type_iri, "t");
   EXPECT_EQ(store->GetVersion("e", 1).label, "l");
+  EXPECT_TRUE(store->Verify().empty());
+}
+
+TEST_F(OpenTest, StoreOfTheSecondSchemaGetsTheTablesOfThisOne) {
+  Open()->PutDocument(Recipe("a", "1"));
+  RunSql(folder_.path() / "lares.sqlite",
+         "DROP TABLE idempotency_keys; DROP INDEX layers_by_blob;"
+         "DROP INDEX document_versions_by_blob; UPDATE schema_version SET version = 2");
+  const std::unique_ptr<Store> store = Open();
+  EXPECT_EQ(store->idempotency_keys().Take("k").state, KeyRecord::State::kNew);
+  EXPECT_EQ(store->BlobUses(Sha256Hex("1")).size(), 1U);
   EXPECT_TRUE(store->Verify().empty());
 }
 
