@@ -60,7 +60,7 @@ cmake --build "$build" --target package >"$tree/package.log" 2>&1 || {
 deb="$(ls -t "$build"/lares_*.deb | head -1)"
 rm "$tree/package.log"
 expect 0 dpkg-deb --info "$deb"
-has "Package: lares" "Architecture: $(dpkg --print-architecture)" "Depends: " "libswipl9" "libc6 (>=" \
+has "Package: lares" "Architecture: $(dpkg --print-architecture)" "Depends: " "swi-prolog-core" "libc6 (>=" \
   "adduser"
 expect 0 dpkg-deb --contents "$deb"
 has ./usr/bin/lares ./usr/share/lares/ontology/core.ttl ./usr/share/lares/ontology/priors/lares.tsv \
@@ -105,6 +105,8 @@ expect 0 in_tree getent passwd lares && has /var/lib/lares nologin
 expect 0 in_tree stat -c '%U:%G %a' /var/lib/lares && has "lares:lares 750"
 there /usr/share/bash-completion/completions/lares /usr/share/zsh/vendor-completions/_lares \
   /usr/share/fish/vendor_completions.d/lares.fish /usr/share/man/man1/lares.1.gz
+wanted=/etc/systemd/system/multi-user.target.wants/lares.service
+expect 0 in_tree test -e "$wanted"
 # What it reads stands in one place, and nothing of it elsewhere.
 expect 1 in_tree sh -c "find / -xdev -path /proc -prune -o -name '*.ttl' -print | grep -v ^/usr/share/"
 
@@ -140,4 +142,5 @@ gone /usr/bin/lares /usr/share/lares /usr/lib/systemd/system/lares.service /usr/
 there /var/lib/lares
 expect 0 in_tree apt-get purge -y -qq lares
 gone /var/lib/lares
+expect 1 in_tree test -L "$wanted"
 expect 2 in_tree getent passwd lares
