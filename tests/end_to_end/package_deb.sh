@@ -60,7 +60,7 @@ cmake --build "$build" --target package >"$tree/package.log" 2>&1 || {
 deb="$(ls -t "$build"/lares_*.deb | head -1)"
 rm "$tree/package.log"
 expect 0 dpkg-deb --info "$deb"
-has "Package: lares" "Architecture: $(dpkg --print-architecture)" "Depends: " "swi-prolog-core" "libc6 (>=" \
+has "Package: lares" "Architecture: $(dpkg --print-architecture)" "Depends: " "libswipl9" "libc6 (>=" \
   "adduser"
 expect 0 dpkg-deb --contents "$deb"
 has ./usr/bin/lares ./usr/share/lares/ontology/core.ttl ./usr/share/lares/ontology/priors/lares.tsv \
@@ -112,7 +112,7 @@ expect 1 in_tree sh -c "find / -xdev -path /proc -prune -o -name '*.ttl' -print 
 
 # ---- The server, as its user, with as little as the unit leaves it -------------------------------
 port=$((20000 + RANDOM % 20000))
-env -i PATH=/usr/bin:/bin chroot "$tree" setpriv --reuid lares --regid lares --clear-groups \
+env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin chroot "$tree" setpriv --reuid lares --regid lares --clear-groups \
   --no-new-privs --bounding-set -all --inh-caps -all \
   lares serve --port "$port" --data /var/lib/lares >"$tree/root/serve.out" 2>&1 &
 server=$!
