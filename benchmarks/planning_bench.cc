@@ -118,10 +118,13 @@ std::map<std::string, std::string> ValuesFor(Service& service, const std::string
   return set;
 }
 
+// As the server answers; and, without a limit, over a view that is there with recipe, needs and
+// robot read anew.
 void MeasurePlans() {
   Service service;
   PutRecipesAndRobots(service);
   double slowest_ms = 0;
+  double slowest_anew_ms = 0;
   std::string which;
   int plans = 0;
   int refusals = 0;
@@ -134,6 +137,14 @@ void MeasurePlans() {
       const auto plan = [&] { return service.knowledge.MakePlan(request); };
       ++(plan().result.plan ? plans : refusals);
       const double ms = MedianOfFive([&] { return 1e3 * SecondsOf([&] { plan(); }); });
+      const auto task = service.knowledge.Resolve(DocumentKind::kRecipe, recipe).target_iri;
+      const auto who = service.knowledge.Resolve(DocumentKind::kRobot, robot).target_iri;
+      const rdf::View view = service.knowledge.ViewFor({recipe, robot, "", 0});
+      recipes::PlanOptions options;
+      options.set = request.set;
+      const auto anew = [&] { recipes::MakePlan(service.engines, view, task, who, options); };
+      slowest_anew_ms =
+          std::max(slowest_anew_ms, MedianOfFive([&] { return 1e3 * SecondsOf(anew); }));
       if (ms <= slowest_ms) continue;
       slowest_ms = ms;
       which = recipe + " for " + robot;
@@ -142,6 +153,7 @@ void MeasurePlans() {
   Row("match and plan, warm, slowest of " + std::to_string(plans) + " plans and " +
           std::to_string(refusals) + " refusals: " + which,
       "<", 5, "ms", slowest_ms);
+  Note("  … with recipe, needs and robot read anew, slowest", "ms", slowest_anew_ms);
 }
 
 void MeasureRanking() {

@@ -34,3 +34,16 @@ echo "  …"
 
 say "Where is the cup? Where would one be?"
 run where Cup --environment flat
+
+objects="${LARES_DATA:-}/objects"
+if [ -d "$objects/bed1" ] && [ -d "$objects/cabinet1" ] && [ -d "$objects/bottle1" ]; then
+  say "Models of a bed, a cabinet and a bottle, made by RoboEarth"
+  for model in bed cabinet bottle; do
+    run object-model put "demo/object-models/$model.ttl" "$objects/${model}1"/*
+  done
+  run object-model list --class Furniture
+
+  say "Which of them are worth loading for a hospital room, and why? Which can this robot use?"
+  run object-model typical HospitalRoom
+  run object-model typical HospitalRoom --robot scout
+fi

@@ -8,6 +8,7 @@
 #include "mapping/semantic/frames.h"
 #include "mapping/semantic/most_specific_class.h"
 #include "mapping/semantic/names.h"
+#include "mapping/semantic/parts.h"
 #include "mapping/semantic/values.h"
 
 namespace lares::semantic {
@@ -60,6 +61,7 @@ class Collector {
     ForEachOnTop(view_, names_.type, [&](const rdf::Triple& t) {
       if (t.object == names_.map_object) AddEntry(t.subject);
     });
+    CollectParts();
     return std::move(mentions_);
   }
 
@@ -84,6 +86,30 @@ class Collector {
       if (!is_perception || !seen.insert(triple).second) return;
       if (Mention* mention = Add(triple.object)) AddPerception(triple.subject, *mention);
     });
+  }
+
+  // The parts of what is an object, and their parts.
+  void CollectParts() {
+    std::map<rdf::TermId, std::vector<rdf::TermId>> parts;
+    ForEachOnTop(view_, names_.proper_parts,
+                 [&](const rdf::Triple& t) { parts[t.subject].push_back(t.object); });
+    const Parts places(view_, names_);
+    std::vector<rdf::TermId> open;
+    for (const auto& [object, mention] : mentions_) open.push_back(object);
+    while (!open.empty()) {
+      const auto found = parts.find(open.back());
+      open.pop_back();
+      if (found == parts.end()) continue;
+      for (const rdf::TermId part : found->second) {
+        if (mentions_.contains(part) || !HasClass(part) || places.IsPlace(part)) continue;
+        if (Add(part) != nullptr) open.push_back(part);
+      }
+    }
+  }
+
+  bool HasClass(rdf::TermId term) const {
+    return view_.dictionary().Kind(term) != rdf::TermKind::kLiteral &&
+           MostSpecificClass(view_, names_, term).has_value();
   }
 
   void AddPerception(rdf::TermId event, Mention& mention) {
@@ -235,6 +261,19 @@ std::string ReadModel(const rdf::View& view, const Names& names, rdf::TermId obj
   return {};
 }
 
+void ReadBelonging(const rdf::View& view, const Names& names,
+                   const std::vector<rdf::TermId>& subjects, MapObject& object) {
+  const Parts parts(view, names);
+  for (const rdf::TermId subject : subjects) {
+    const Belonging belonging = parts.BelongingOf(subject);
+    if (object.part_of.empty() && belonging.whole) object.part_of = Text(view, *belonging.whole);
+    if (object.room.empty() && belonging.room) object.room = Text(view, *belonging.room);
+    if (!object.maps.empty()) continue;
+    for (const rdf::TermId map : belonging.maps) object.maps.push_back(Text(view, map));
+  }
+  std::sort(object.maps.begin(), object.maps.end());
+}
+
 MapObject Interpret(const rdf::View& view, const Names& names, Frames& frames, rdf::TermId term,
                     const Mention& mention) {
   MapObject object;
@@ -260,6 +299,7 @@ MapObject Interpret(const rdf::View& view, const Names& names, Frames& frames, r
   object.existence = ReadExistence(view, names, term, mention);
   ReadTimes(view, names, term, mention, object);
   object.recognised_with = ReadModel(view, names, term, mention);
+  ReadBelonging(view, names, Subjects(term, mention), object);
   return object;
 }
 

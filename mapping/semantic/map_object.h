@@ -23,13 +23,19 @@ struct MapObject {
   std::optional<double> existence;                // probability
   std::optional<Time> first_seen, last_seen;
   std::string recognised_with;  // IRI of the object model
+  // IRIs; empty when there is none. What is part of a part of a room is in the room; what a map
+  // describes, and nothing says more of, belongs to the map alone.
+  std::string part_of;            // the nearest whole
+  std::string room;               // the nearest room that it is in or part of
+  std::vector<std::string> maps;  // that describe it, or else its nearest whole that is described
   // What was odd and how it was taken, a sentence each.
   std::vector<std::string> remarks;
 };
 
 // Every object that the graphs of the view's top layer perceive (SemanticMapPerception), describe
-// in a map (describedInMap), give a pose (orientation) or enter as a MapObject, by IRI. What is
-// said of them is read from the whole view.
+// in a map (describedInMap), give a pose (orientation) or enter as a MapObject, and what they make
+// a part of one (properPhysicalParts) if it has a class and is no place; by IRI. What is said of
+// them is read from the whole view.
 //
 // Matrices are 4×4, m03, m13 and m23 the position in metres; `relativeTo` chains them up to the
 // map; an object whose chain ends in something without a pose has none. An extent of three zeros

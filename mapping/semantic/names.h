@@ -18,6 +18,9 @@ struct Names {
   rdf::TermId semantic_map_perception, visual_perception;
   rdf::TermId object_acted_on, event_occurs_at, start_time, described_in_map, orientation;
   rdf::TermId relative_to, stands_for, recognized_using_model;
+  rdf::TermId label, place, room, storey, building, street, city;
+  rdf::TermId room_number, floor_number, street_number;
+  rdf::TermId proper_parts, proper_part_of, inside_room;
   rdf::TermId depth, width, height, existence_probability, first_seen, last_seen;
   std::array<std::array<rdf::TermId, 4>, 4> matrix_entry;  // m00 … m33
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace lares::rdf {
 // Pins its view until it is destroyed. One thread at a time.
 class Cursor {
  public:
-  Cursor(View view, const Pattern& pattern, Origin origin = Origin::kAll);
+  Cursor(std::shared_ptr<const View> view, const Pattern& pattern, Origin origin = Origin::kAll);
   Cursor(Cursor&&) = default;
   Cursor& operator=(Cursor&&) = default;
 
@@ -22,7 +23,7 @@ class Cursor {
  private:
   bool IsAnswer(const Triple& triple) const;
 
-  View view_;
+  std::shared_ptr<const View> view_;
   Pattern pattern_;
   Origin origin_;
   std::size_t next_layer_ = 0;

@@ -27,17 +27,19 @@ std::span<const rdf::Triple> SubjectRun(const std::vector<rdf::Triple>& triples,
 
 Cursor::Cursor(std::shared_ptr<const rdf::View> view, const rdf::Pattern& pattern,
                rdf::Origin origin)
-    : view_(std::move(view)), pattern_(pattern), all_(std::in_place, *view_, pattern, origin) {}
+    : pattern_(pattern), all_(std::in_place, std::move(view), pattern, origin) {}
 
 Cursor::Cursor(std::shared_ptr<const rdf::View> view, const rdf::Pattern& pattern,
                const rdf::Graph& graph)
-    : view_(std::move(view)), pattern_(pattern), graph_(&graph) {
+    : pattern_(pattern), graph_(&graph) {
   if (pattern.subject != rdf::kAnyTerm) {
     run_ = SubjectRun(graph.triples, pattern.subject);
-  } else if (view_->Estimate(pattern) > graph.triples.size() / kLookupCost) {
+    view_ = std::move(view);
+  } else if (view->Estimate(pattern) > graph.triples.size() / kLookupCost) {
     run_ = graph.triples;
+    view_ = std::move(view);
   } else {
-    all_.emplace(*view_, pattern, rdf::Origin::kAll);
+    all_.emplace(std::move(view), pattern, rdf::Origin::kAll);
   }
 }
 

@@ -28,7 +28,7 @@ class Cursor {
   bool Candidate(rdf::Triple* triple);
   void Prefetch();
 
-  std::shared_ptr<const rdf::View> view_;
+  std::shared_ptr<const rdf::View> view_;  // pinned by all_ where that is there
   rdf::Pattern pattern_;
   const rdf::Graph* graph_ = nullptr;
   std::optional<rdf::Cursor> all_;    // of the view; nothing when run_ is scanned

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "reasoner/prolog/goal.h"
+#include "reasoner/prolog/record.h"
 #include "reasoner/prolog/runtime.h"
 #include "reasoner/prolog/terms.h"
 #include "reasoner/prolog/thread_engine.h"
@@ -120,9 +121,12 @@ class ForeignFrame {
   fid_t frame_;
 };
 
+// What becomes of an answer; false for no further ones.
+using Accept = std::function<bool(term_t)>;
+
 // Calls `accept` for each answer until it returns false. Needs an attached engine.
 void Run(const std::string& module, const std::string& predicate, const std::vector<Value>& inputs,
-         Clock::time_point deadline, const std::function<bool(Value)>& accept) {
+         Clock::time_point deadline, const Accept& accept) {
   const ForeignFrame frame;
   const int arity = static_cast<int>(inputs.size()) + 1;
   const term_t arguments = PL_new_term_refs(arity);
@@ -131,7 +135,7 @@ void Run(const std::string& module, const std::string& predicate, const std::vec
   int status = PL_S_TRUE;
   while (status == PL_S_TRUE) {
     status = query.Next(deadline);
-    if (status == PL_S_FALSE || !accept(GetValue(arguments + inputs.size()))) return;
+    if (status == PL_S_FALSE || !accept(arguments + inputs.size())) return;
   }
 }
 
@@ -188,7 +192,7 @@ class Lease {
 template <typename Pool>
 void Solve(Pool& pool, const rdf::View& view, const std::string& module,
            const std::string& predicate, const std::vector<Value>& inputs, const Limits& limits,
-           const std::function<bool(Value)>& accept) {
+           const Accept& accept) {
   if (CurrentGoal() != nullptr) throw Error(Code::kInternal, "a goal was started inside a goal");
   const Clock::time_point deadline = Clock::now() + limits.time;
   Lease<Pool> lease(pool, deadline);
@@ -218,8 +222,19 @@ std::optional<Value> EnginePool::Once(const rdf::View& view, const std::string& 
                                       const std::string& predicate,
                                       const std::vector<Value>& inputs, const Limits& limits) {
   std::optional<Value> answer;
-  Solve(*state_, view, module, predicate, inputs, limits, [&](Value value) {
-    answer = std::move(value);
+  Solve(*state_, view, module, predicate, inputs, limits, [&](term_t term) {
+    answer = GetValue(term);
+    return false;
+  });
+  return answer;
+}
+
+RecordRef EnginePool::Keep(const rdf::View& view, const std::string& module,
+                           const std::string& predicate, const std::vector<Value>& inputs,
+                           const Limits& limits) {
+  RecordRef answer;
+  Solve(*state_, view, module, predicate, inputs, limits, [&](term_t term) {
+    answer = std::make_shared<const Record>(term);
     return false;
   });
   return answer;
@@ -229,12 +244,12 @@ std::vector<Value> EnginePool::All(const rdf::View& view, const std::string& mod
                                    const std::string& predicate, const std::vector<Value>& inputs,
                                    const Limits& limits) {
   std::vector<Value> answers;
-  Solve(*state_, view, module, predicate, inputs, limits, [&](Value value) {
+  Solve(*state_, view, module, predicate, inputs, limits, [&](term_t term) {
     if (answers.size() == limits.max_answers) {
       throw Error(Code::kTooLarge, module + ":" + predicate + " has more than " +
                                        std::to_string(limits.max_answers) + " answers");
     }
-    answers.push_back(std::move(value));
+    answers.push_back(GetValue(term));
     return true;
   });
   return answers;

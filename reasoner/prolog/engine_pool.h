@@ -39,6 +39,9 @@ class EnginePool {
   std::optional<Value> Once(const rdf::View& view, const std::string& module,
                             const std::string& predicate, const std::vector<Value>& inputs,
                             const Limits& limits = {});
+  // The same, the answer kept in Prolog's own form, to be an input of other goals; null for "no".
+  RecordRef Keep(const rdf::View& view, const std::string& module, const std::string& predicate,
+                 const std::vector<Value>& inputs, const Limits& limits = {});
   // All answers, in order.
   std::vector<Value> All(const rdf::View& view, const std::string& module,
                          const std::string& predicate, const std::vector<Value>& inputs,

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "reasoner/prolog/record.h"
 
 namespace lares::prolog {
 namespace {
@@ -103,6 +104,7 @@ struct Putter {
     }
     Check(PL_put_dict(term, 0, keys.size(), keys.data(), values));
   }
+  void operator()(const RecordRef& record) const { record->Put(term); }
 };
 
 void Put(const Value& value, term_t term, int depth) {

@@ -7,7 +7,7 @@ namespace {
 
 const char* KindName(const Value& value) {
   static constexpr const char* kNames[] = {"an integer", "a float",    "an atom", "a string",
-                                           "a list",     "a compound", "a dict"};
+                                           "a list",     "a compound", "a dict",  "a record"};
   return kNames[value.data.index()];
 }
 

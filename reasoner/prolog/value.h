@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -19,6 +20,9 @@ struct String {
   std::string text;
   friend bool operator==(const String&, const String&) = default;
 };
+// As an input only: an answer that was kept (EnginePool::Keep).
+class Record;
+using RecordRef = std::shared_ptr<const Record>;
 struct Value;
 using List = std::vector<Value>;
 struct Compound {
@@ -30,7 +34,7 @@ struct Compound {
 using Dict = std::map<std::string, Value>;
 
 struct Value {
-  std::variant<std::int64_t, double, Atom, String, List, Compound, Dict> data;
+  std::variant<std::int64_t, double, Atom, String, List, Compound, Dict, RecordRef> data;
 
   friend bool operator==(const Value&, const Value&) = default;
 

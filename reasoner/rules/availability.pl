@@ -1,5 +1,5 @@
 :- module(availability,
-          [ available/2,
+          [ available/3,
             availability_of/3,
             dependency_restriction/2,
             dependencies/2,
@@ -19,7 +19,7 @@
 A context is `context(Robot, Claims, Strict)`: Claims are the capabilities that the description
 claims, and the classes of components that are not the robot's but can be fetched for it.
 
-Whole tasks are matched in C++ (recipes/match), over what needs/3 (matching.pl) says; available/2 is
+Whole tasks are matched in C++ (recipes/match), over what needs/3 (matching.pl) says; available/3 is
 for single conditions, as those of skill templates, and gives the same verdict
 (tests/recipes/match_property_test.cc).
 */
@@ -73,20 +73,21 @@ component(Robot-Class, Part) :-
 
 is_capability(Class) :- subclass(Class, 'https://w3id.org/lares#Capability').
 
-%!  available(+Context, +Requirement) is semidet.
+%!  available(+Context, +Stated:list, +Requirement) is semidet.
 %
-%   The robot has the capability or component Requirement, or one of any(Classes).
+%   The robot has the capability or component Requirement, or one of any(Classes); Stated is what
+%   stated_requirements/2 says of it.
 
-available(Context, Requirement) :-
-    Context = context(Robot, _, _),
-    stated_requirements(Robot, Stated),
+available(Context, Stated, Requirement) :-
     proof(Requirement, Context, Stated, [], _, _),
     !.
 
 %!  availability_of(+Context, +Requirement, -Answer:oneof([true,false])) is det.
 
 availability_of(Context, Requirement, Answer) :-
-    ( available(Context, Requirement) -> Answer = true ; Answer = false ).
+    Context = context(Robot, _, _),
+    stated_requirements(Robot, Stated),
+    ( available(Context, Stated, Requirement) -> Answer = true ; Answer = false ).
 
 % proof(+Requirement, +Context, +Stated, +Above, -Grounded, -Reach)
 %

@@ -1,6 +1,7 @@
 :- module(bindings,
           [ local_name/2,
             key_name/2,
+            said_for/3,
             bind_inputs/5
           ]).
 :- use_module(library(lists)).
@@ -9,17 +10,16 @@
 :- use_module(rules(classes)).
 :- use_module(rules(recipes)).
 :- use_module(rules(parameters)).
-:- use_module(rules(templates)).
 :- use_module(rules(availability)).
 :- use_module(rules(bodies)).
 
 /** <module> Where the arguments of a skill come from
 
-A setting is setting{keys, robot, camera, environment, place, settled, given, path, id, skill}: `keys` a
-list of `key(Value, Name, Type, Producer)` for what the plan's steps create, the robot's context, its
+A setting is setting{keys, robot, camera, environment, place, settled, given, path, id, skill, said}:
+`keys` a list of `key(Value, Name, Type, Producer)` for what the plan's steps create, the robot's context, its
 camera (see robot_camera/2) or `none`, the environment's id ('' without one) and its individual or class
-('' when unknown), the recipe's parameters and what was asked for (parameters.pl), and the state that
-the arguments are for.
+('' when unknown), the recipe's parameters and what was asked for (parameters.pl), and of the state that
+the arguments are for the path, the id, the skill and what its step says (said_for/3).
 
 A parameter is param{name, type, unit, source, origin, text, value} with value one of iri(Iri),
 text(Text), key(Name), matrices(List, Frame), iris(List).
@@ -29,13 +29,23 @@ text(Text), key(Name), matrices(List, Frame), iris(List).
     point(r),
     no_relation(r).
 
-%!  bind_inputs(+Setting:dict, +Step, +Template, -Parameters:list, -Remarks:list) is det.
+%!  said_for(+Step, +Sources:list, -Said:list) is det.
 %
-%   Remarks are `problem(Sentence)`, `note(Sentence)` and `used(Name, Parameter, Was)`: an input that
+%   `said(Property, Filler, Values)` for each source `recipe(Property, Filler)` of an input.
+
+said_for(Step, Sources, Said) :-
+    findall(said(Property, Filler, Values),
+            ( member(recipe(Property, Filler), Sources),
+              step_values(Step, Property, Values0),
+              filled(Filler, Values0, Values) ),
+            Said).
+
+%!  bind_inputs(+Setting:dict, +Step, +Inputs:list, -Parameters:list, -Remarks:list) is det.
+%
+%   Inputs as template_inputs/2 has them. Remarks are `problem(Sentence)`, `note(Sentence)` and `used(Name, Parameter, Was)`: an input that
 %   was asked for by Name, and the parameter that it would have been or `none`.
 
-bind_inputs(Setting, Step, Template, Parameters, Remarks) :-
-    template_inputs(Template, Inputs),
+bind_inputs(Setting, Step, Inputs, Parameters, Remarks) :-
     bind_each(Inputs, Setting, Step, Found, Remarks),
     append(Found, Parameters).
 
@@ -126,9 +136,8 @@ join([One|More], Joined) :-
 % -- from the recipe --
 
 from(recipe(Property, Filler), Input, Setting, Step, Parameters, Remarks) :-
-    step_values(Step, Property, Values0),
-    filled(Filler, Values0, Values),
-    Values = [Value|Others],
+    get_dict(said, Setting, Said),
+    memberchk(said(Property, Filler, [Value|Others]), Said),
     recipe_value(Value, Input, Setting, Step, Parameters, Remarks0),
     others_note(Others, Input, Step, Value, Notes),
     append(Remarks0, Notes, Remarks).

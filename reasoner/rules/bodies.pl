@@ -166,10 +166,9 @@ stated_base_link(Robot, Link) :-
 robot_camera(Robot, camera(Camera, Root, Matrices, Others)) :-
     findall(Part, (rdf(Part, rdf:type, lares:'Camera'), rdf(Robot, lares:subComponent, Part)),
             Found),
-    preferred_first(Found, Cameras),
-    Cameras = [Best|_],
-    camera_rank(Best, Rank),
-    findall(Good, (member(Good, Cameras), camera_rank(Good, Rank)), Goods),
+    preferred_first(Found, Ranked),
+    Ranked = [Rank-Best|_],
+    findall(Good, member(Rank-Good, Ranked), Goods),
     (   member(Camera, Goods),
         jointed(Camera),
         chain(Robot, Camera, Root, Matrices)
@@ -178,14 +177,13 @@ robot_camera(Robot, camera(Camera, Root, Matrices, Others)) :-
     ->  true
     ;   Camera = Best, Root = none, Matrices = []
     ),
-    findall(Other, (member(Other, Cameras), Other \== Camera), Others).
+    findall(Other, (member(_-Other, Ranked), Other \== Camera), Others).
 
 % Things are recognised by their colours: colour cameras, then those not named for something else.
-preferred_first(Found, Cameras) :-
+preferred_first(Found, Ranked) :-
     sort(Found, Sorted),
-    findall(Rank-Camera, (member(Camera, Sorted), camera_rank(Camera, Rank)), Ranked),
-    keysort(Ranked, Ordered),
-    findall(Camera, member(_-Camera, Ordered), Cameras).
+    findall(Rank-Camera, (member(Camera, Sorted), camera_rank(Camera, Rank)), Unordered),
+    keysort(Unordered, Ranked).
 
 camera_rank(Camera, 0) :- rdf(Camera, rdf:type, lares:'ColorCamera'), !.
 camera_rank(Camera, 2) :- sees_no_colour(Camera), !.

@@ -1,74 +1,82 @@
 :- module(planning, [ plan/5 ]).
 :- use_module(library(lists)).
-:- use_module(library(ugraphs)).
 :- use_module(rules(prefixes)).
-:- use_module(rules(rdf_view)).
 :- use_module(rules(recipes)).
-:- use_module(rules(recipe_checks)).
 :- use_module(rules(parameters)).
 :- use_module(rules(templates)).
 :- use_module(rules(matching)).
 :- use_module(rules(bindings)).
 :- use_module(rules(bodies)).
-:- use_module(rules(flattening)).
 
-/** <module> From a recipe and a robot to a plan
+/** <module> From what a recipe says and a robot to a plan
 
-    plan(Task, Robot, Options, Place, Result)
+    plan(Reading, Robot, Options, Place, Result)
 
-Result is plan{start, states, transitions, unordered, notes, settings} or failed{choices, problems}. The
-recipe is made flat (flattening.pl), each step gets a skill template (templates.pl), its arguments
-(bindings.pl) and a way on for every outcome (here).
+Result is plan{start, states, ends, transitions, unordered, notes, settings, overridden} or
+failed{choices, problems}. The recipe was made flat and its steps got the skill templates that could do
+them (readings.pl); of these each step gets the one that fits robot and place (templates.pl), its
+arguments (bindings.pl), and from all that the graph is put together (here).
 */
 
-:- rdf_meta result_kind(r, -).
-
-%!  plan(+Task, +Robot, +Options:dict, +Place, -Result:dict) is det.
+%!  plan(+Reading:dict, +Robot, +Options:dict, +Place, -Result:dict) is det.
 %
-%   Options is _{strict, answers, environment, layers, given}: `answers` lists Step-Template, `given`
-%   what was asked for (parameters.pl); Place is the environment's individual or class, or ''.
+%   Reading as reading/2 has it. Options is _{strict, answers, offers, environment, layers, given}:
+%   `answers` lists Step-Template, `given` what was asked for (parameters.pl); Place is the environment's
+%   individual or class, or ''.
 
-plan(Task, Robot, Options, Place, Result) :-
-    remember_tasks(Task),
-    plan_remembered(Task, Robot, Options, Place, Result).
-
-plan_remembered(Task, _, _, _, failed{choices:[], problems:Problems}) :-
-    all_steps(Task, Steps),
-    findall(Problem,
-            ( member(Step, Steps), ( Step == Task -> Described = Step ; task_of(Step, Described) ),
-              task_problems(none, Described, Some), member(Problem, Some) ),
-            Found),
-    Found \== [],
-    !,
-    list_to_set(Found, Problems).
-plan_remembered(Task, Robot, Options, Place, Result) :-
-    get_dict(strict, Options, Strict),
+plan(Reading, _, _, _, failed{choices:[], problems:Problems}) :-
+    get_dict(problems, Reading, Problems),
+    !.
+plan(Reading, Robot, Options, Place, Result) :-
+    get_dict(tasks, Reading, Tasks),
+    recall_tasks(Tasks),
     get_dict(answers, Options, Answers),
-    get_dict(layers, Options, Layers),
     get_dict(given, Options, Given),
-    get_dict(offers, Options, Offers),
-    findall(Claim, ( claims(Robot, Claim) ; member(Claim, Offers) ), Claims0),
-    sort(Claims0, Claims),
-    Context = context(Robot, Claims, Strict),
-    flatten_task(Task, Flat),
-    chosen_templates(Flat, here(Context, Place, Layers), Answers, Chosen, Choices, Unserved),
+    get_dict(nodes, Reading, Nodes),
+    context(Robot, Options, Context),
+    fitting_templates(Reading, Context, Options, Place, Fitting),
+    chosen_templates(Nodes, Fitting, Answers, Chosen, Choices, Unserved),
+    get_dict(task, Reading, Task),
     settle(Task, Given, Settled, Unsettled),
-    get_dict(nodes, Flat, Nodes),
-    findall(Step, member(node([Step|_], _), Nodes), Steps),
+    findall(Step, member(node([Step|_], _, _, _, _), Nodes), Steps),
     unknown_answers(Answers, Steps, Unknown),
     append([Unserved, Unsettled, Unknown], Problems),
     (   Choices == [], Problems == []
     ->  keys(Chosen, Keys),
-        ( robot_camera(Robot, Camera) -> true ; Camera = none ),
         get_dict(environment, Options, Environment),
+        get_dict(templates, Reading, Templates),
+        camera(Robot, Chosen, Templates, Camera),
         Setting = setting{keys:Keys, robot:Context, camera:Camera, environment:Environment,
                           place:Place, settled:Settled, given:Given},
-        states(Chosen, Setting, States, Remarks0),
+        states(Chosen, Templates, Setting, States, Remarks0),
         unused(Given, Settled, States, Remarks0, Unused),
         append(Unused, Remarks0, Remarks),
-        finish(Flat, Chosen, States, Remarks, Settled, Result)
+        finish(Reading, Chosen, States, Remarks, Settled, Result)
     ;   Result = failed{choices:Choices, problems:Problems}
     ).
+
+context(Robot, Options, context(Robot, Claims, Strict)) :-
+    get_dict(strict, Options, Strict),
+    get_dict(offers, Options, Offers),
+    findall(Claim, ( claims(Robot, Claim) ; member(Claim, Offers) ), Found),
+    sort(Found, Claims).
+
+% Finding it takes a while; not every skill asks for it.
+camera(Robot, Chosen, Templates, Camera) :-
+    (   asks_for_camera(Chosen, Templates),
+        robot_camera(Robot, Found)
+    ->  Camera = Found
+    ;   Camera = none
+    ).
+
+asks_for_camera(Chosen, Templates) :-
+    member(chosen(_, candidate(Template, _, _, _), _), Chosen),
+    memberchk(template(Template, _, _, Inputs, _, _), Templates),
+    member(Input, Inputs),
+    get_dict(sources, Input, Sources),
+    member(robot(Fact), Sources),
+    memberchk(Fact, [camera, camera_pose]),
+    !.
 
 unused(Given, Settled, States, Remarks, Unused) :-
     findall(Name, member(used(Name, _, _), Remarks), Used),
@@ -88,37 +96,38 @@ comma_list([One|More], [One, ", "|Rest]) :- comma_list(More, Rest).
 
 % -- templates --
 
-chosen_templates(Flat, here(Context, Place, Layers), Answers, Chosen, Choices, Problems) :-
-    get_dict(nodes, Flat, Nodes),
-    findall(Step, member(node([Step|_], _), Nodes), Steps),
+fitting_templates(Reading, Context, Options, Place, Fitting) :-
+    get_dict(templates, Reading, Templates),
+    get_dict(layers, Options, Layers),
+    findall(Template-Conditions, member(template(Template, _, _, _, _, Conditions), Templates), Asking),
+    fitting(Asking, Context, Place, Layers, Fitting).
+
+% chosen(Node, Candidate, Distance) for each node with one template to choose.
+chosen_templates(Nodes, Fitting, Answers, Chosen, Choices, Problems) :-
     findall(Node-Choice,
             ( member(Node, Nodes),
-              Node = node([Step|Above], _),
-              causes(Flat, [Step|Above], Causes),
-              given_classes(Step, Steps, Given),
-              choose_template(situation{step:Step, causes:Causes, given:Given, robot:Context,
-                                        place:Place, layers:Layers},
-                              Answers, Choice) ),
+              Node = node([Step|_], _, _, Candidates, None),
+              findall(Distance-Candidate,
+                      ( member(Distance-Candidate, Candidates),
+                        arg(1, Candidate, Template),
+                        memberchk(Template, Fitting) ),
+                      Applicable),
+              choose_template(Step, Applicable, None, Answers, Choice) ),
             All),
-    findall(chosen(Path, Id, Template, Action, Distance),
-            member(node(Path, Id)-chosen(Template, Action, Distance), All),
-            Chosen),
-    findall(choice(Step, Templates), member(node([Step|_], _)-tie(Templates), All), Choices0),
+    findall(chosen(Node, Candidate, Distance), member(Node-chosen(Candidate, Distance), All), Chosen),
+    findall(choice(Step, Templates),
+            member(node([Step|_], _, _, _, _)-tie(Templates), All),
+            Choices0),
     sort(Choices0, Choices),
     findall(Problem, member(_-none(Problem), All), Problems0),
     list_to_set(Problems0, Problems).
-
-causes(Flat, Path, Causes) :-
-    get_dict(edges, Flat, Edges),
-    findall(Cause, ( member(edge(Path, Cause, _), Edges) ; failure_cause(Flat, Path, Cause) ), Found),
-    sort(Found, Causes).
 
 % -- keys: what steps create and others use --
 
 keys(Chosen, Keys) :-
     findall(Value-made(Type, Step),
-            ( member(chosen([Step|_], _, Template, _, _), Chosen),
-              output_value(Step, Template, _, Type, Value) ),
+            ( member(chosen(node([Step|_], _, _, _, _), candidate(_, _, Outputs, _), _), Chosen),
+              member(made(_, Type, Value), Outputs) ),
             Found),
     findall(Value, member(Value-_, Found), Values0),
     sort(Values0, Values),
@@ -126,12 +135,6 @@ keys(Chosen, Keys) :-
     findall(key(Value, Name, Type, Step),
             ( member(Value-made(Type, Step), Found), memberchk(Value-Name, Named) ),
             Keys).
-
-output_value(Step, Template, Name, Type, Value) :-
-    template_outputs(Template, Outputs),
-    member(output(Name, Type, Property), Outputs),
-    step_values(Step, Property, Values),
-    findall(IriValue, (member(IriValue, Values), atom(IriValue)), [Value|_]).
 
 name_keys([], _, []).
 name_keys([Value|Values], Taken, [Value-Name|Rest]) :-
@@ -152,24 +155,21 @@ free_name(Wanted, Taken, Count, Name) :-
 
 % -- states --
 
-states([], _, [], []).
-states([chosen([Step|Above], Id, Template, Action, Distance)|More], Setting, [State|States],
-       Remarks) :-
-    template_skill(Template, Skill),
-    template_outcomes(Template, Outcomes),
+states([], _, _, [], []).
+states([chosen(Node, Candidate, Distance)|More], Templates, Setting, [State|States], Remarks) :-
+    Node = node([Step|Above], Id, Said, _, _),
+    Candidate = candidate(Template, Action, Made, _),
+    memberchk(template(Template, Skill, Outcomes, Inputs, Manner, _), Templates),
     findall(Name, member(outcome(Name, _), Outcomes), Names),
     get_dict(keys, Setting, Keys),
     findall(Output-Key,
-            ( output_value(Step, Template, Output, _, Value),
-              once(member(key(Value, Key, _, _), Keys)) ),
+            ( member(made(Output, _, Value), Made), memberchk(key(Value, Key, _, _), Keys) ),
             Outputs),
-    put_dict(_{path:[Step|Above], id:Id, skill:Skill}, Setting, Here),
-    bind_inputs(Here, Step, Template, Inputs, Some),
-    template_manner(Template, Manner),
-    State = state{path:[Step|Above], id:Id, step:Step, action:Action, skill:Skill,
-                  template:Template, distance:Distance, inputs:Inputs, outputs:Outputs,
-                  outcomes:Names, manner:Manner},
-    states(More, Setting, States, Others),
+    put_dict(_{path:[Step|Above], id:Id, skill:Skill, said:Said}, Setting, Here),
+    bind_inputs(Here, Step, Inputs, Bound, Some),
+    State = state{id:Id, step:Step, action:Action, skill:Skill, template:Template,
+                  distance:Distance, inputs:Bound, outputs:Outputs, outcomes:Names, manner:Manner},
+    states(More, Templates, Setting, States, Others),
     append(Some, Others, Remarks).
 
 finish(_, _, _, Remarks, _, failed{choices:[], problems:Problems}) :-
@@ -177,38 +177,23 @@ finish(_, _, _, Remarks, _, failed{choices:[], problems:Problems}) :-
     Found \== [],
     !,
     list_to_set(Found, Problems).
-finish(Flat, Chosen, States, Remarks, Settled,
+finish(Reading, Chosen, States, Remarks, Settled,
        plan{start:Start, states:Ordered, ends:Ends, transitions:Transitions, unordered:Unordered,
             notes:Notes, settings:Settings, overridden:Overridden}) :-
-    findall(Transition,
-            ( member(chosen(Path, Id, Template, _, _), Chosen),
-              template_outcomes(Template, Outcomes),
-              member(outcome(Name, Result), Outcomes),
-              way_on(Flat, Path, Name, Result, Target, Added, Reason),
-              target_id(Flat, Target, To),
-              Transition = transition{from:Id, outcome:Name, to:To, added:Added, reason:Reason} ),
-            AllTransitions),
-    get_dict(entry, Flat, Entry),
-    node_id(Flat, Entry, Start),
-    reached([Start], AllTransitions, [], Reached),
+    get_dict(start, Reading, Start),
+    get_dict(unordered, Reading, Unordered),
+    findall(Id-Ways, member(chosen(node(_, Id, _, _, _), candidate(_, _, _, Ways), _), Chosen), All),
+    reached([Start], All, [], Reached),
     findall(State, (member(Id, Reached), member(State, States), get_dict(id, State, Id)), Ordered),
-    findall(Transition,
-            ( member(Id, Reached), member(Transition, AllTransitions),
-              get_dict(from, Transition, Id) ),
-            Transitions),
-    findall(end(Id, Success),
-            ( member(end(Kind, Success), [end(succeeded, true), end(exhausted, false),
-                                          end(failed, false)]),
-              target_id(Flat, end(Kind), Id),
-              memberchk(Id, Reached) ),
+    findall(Way, (member(Id, Reached), memberchk(Id-Ways, All), member(Way, Ways)), Transitions),
+    findall(end(End, Success),
+            ( member(end(End, Success), [end(succeeded, true), end(exhausted, false),
+                                         end(failed, false)]),
+              memberchk(End, Reached) ),
             Ends),
-    get_dict(unordered, Flat, Groups),
-    findall(group{steps:Steps, ids:Ids},
-            ( member(unordered(Above, Steps), Groups),
-              findall(Id, (member(Step, Steps), node_id(Flat, [Step|Above], Id)), Ids) ),
-            Unordered),
-    findall(Note, (member(note(Note), Remarks) ; structure_note(Flat, Note)
-                  ; added_note(Transitions, Note) ; nothing_found_note(Transitions, Note)), Notes0),
+    get_dict(notes, Reading, StructureNotes),
+    findall(Note, ( member(note(Note), Remarks) ; member(Note, StructureNotes)
+                  ; added_note(Transitions, Note) ; nothing_found_note(Transitions, Note) ), Notes0),
     list_to_set(Notes0, Notes),
     findall(Set, (member(settled(_, Value, One), Settled), setting_text(Value, One, Set)), Settings),
     findall(overridden(Name, Parameter, Was), member(used(Name, Parameter, Was), Remarks),
@@ -233,29 +218,17 @@ value_text(items(_, Iris), Text, Sentence) :-
 value_text(stated(literal(Text, _, _)), Text, [Text]) :- !.
 value_text(stated(Iri), Iri, [label(Iri)]).
 
-% Breadth first along the transitions, ends included.
+% Breadth first along the ways of each state, ends included.
 reached([], _, Seen, Reached) :-
     reverse(Seen, Reached).
-reached([Id|Queue], Transitions, Seen, Reached) :-
+reached([Id|Queue], All, Seen, Reached) :-
     memberchk(Id, Seen),
     !,
-    reached(Queue, Transitions, Seen, Reached).
-reached([Id|Queue], Transitions, Seen, Reached) :-
-    findall(To, (member(Transition, Transitions), get_dict(from, Transition, Id),
-                 get_dict(to, Transition, To)), Next),
+    reached(Queue, All, Seen, Reached).
+reached([Id|Queue], All, Seen, Reached) :-
+    findall(To, (memberchk(Id-Ways, All), member(Way, Ways), get_dict(to, Way, To)), Next),
     append(Queue, Next, Longer),
-    reached(Longer, Transitions, [Id|Seen], Reached).
-
-structure_note(Flat, ["the recipe does not say in which order these are done: "|Names]) :-
-    get_dict(unordered, Flat, Groups),
-    member(unordered(_, Group), Groups),
-    naming(Group, Names).
-structure_note(Flat, Note) :-
-    get_dict(notes, Flat, Notes),
-    member(Note, Notes).
-
-naming([One], [label(One)]) :- !.
-naming([One|More], [label(One), ", "|Rest]) :- naming(More, Rest).
+    reached(Longer, All, [Id|Seen], Reached).
 
 added_note(Transitions, ["added: ", From, " on '", Outcome, "' leads to ", To, " (", Reason, ")"]) :-
     member(Transition, Transitions),
@@ -292,50 +265,3 @@ straight_on([Id|Path], Transitions, Names) :-
 
 plain_names([One], [One]) :- !.
 plain_names([One|More], [One, " → "|Rest]) :- plain_names(More, Rest).
-
-% -- the way on from an outcome --
-
-way_on(Flat, Path, _, Result, Target, false, "") :-
-    Result \== none,
-    ends_in_failure(Flat, Path, Result, Target),
-    !.
-way_on(Flat, Path, _, Result, Target, false, "") :-
-    Result \== none,
-    edge_to(Flat, Path, Result, Target),
-    !.
-way_on(Flat, Path, Name, _, Target, false, "") :-
-    ordinary(Name),
-    edge_to(Flat, Path, any, Target),
-    !.
-way_on(Flat, Path, Name, _, end(succeeded), false, "") :-
-    ordinary(Name),
-    get_dict(exits, Flat, Exits),
-    memberchk(Path, Exits),
-    !.
-way_on(Flat, Path, exhausted, _, Target, true, Reason) :-
-    !,
-    exit_of_loop(Flat, Path, Target, Reason).
-way_on(Flat, [_|Above], failed, _, node(To), false, "") :-
-    failure(Flat, Above, node(To)),
-    !.
-way_on(_, _, failed, _, end(failed), true, "the recipe does not say what to do when this fails") :-
-    !.
-way_on(_, _, Name, _, end(failed), true, Reason) :-
-    atomics_to_string(["the recipe does not say what to do on '", Name, "'"], Reason).
-
-ordinary(Name) :- Name \== failed, Name \== exhausted.
-
-edge_to(Flat, Path, Cause, node(To)) :-
-    get_dict(edges, Flat, Edges),
-    memberchk(edge(Path, Cause, To), Edges).
-
-atomics_to_string(Parts, Text) :-
-    atomic_list_concat(Parts, Atom),
-    atom_string(Atom, Text).
-
-target_id(Flat, node(Path), Id) :- node_id(Flat, Path, Id).
-target_id(_, end(Kind), Kind).
-
-node_id(Flat, Path, Id) :-
-    get_dict(nodes, Flat, Nodes),
-    memberchk(node(Path, Id), Nodes).

@@ -3,6 +3,8 @@
             task_in/2,
             task_of/2,
             remember_tasks/1,
+            remembered_tasks/1,
+            recall_tasks/1,
             created_by/2,
             own_restriction/4,
             own_step/2,
@@ -195,6 +197,18 @@ remember_tasks(Task) :-
                       Values) ),
             Created),
     b_setval(outputs_of_steps, Created).
+
+%!  remembered_tasks(-Known:list) is det.
+%
+%   What recall_tasks/1 takes, after remember_tasks/1.
+
+remembered_tasks(Known) :- b_getval(tasks_of_steps, Known).
+
+%!  recall_tasks(+Known:list) is det.
+%
+%   Until the running goal is undone, task_of/2 is looked up in what was remembered by another goal.
+
+recall_tasks(Known) :- b_setval(tasks_of_steps, Known).
 
 %!  created_by(+Step, -Values:list) is semidet.
 %

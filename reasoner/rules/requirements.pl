@@ -2,7 +2,7 @@
           [ stated_requirements/2,
             requirement_groups/3,
             requirements_met/3,
-            requirements_hold/2,
+            requirements_hold/3,
             group_verdict/3,
             requirement_problems/2
           ]).
@@ -120,16 +120,19 @@ requirement_groups(Stated, Subject, Groups) :-
 
 requirements_met(context(Robot, _, _), Subject, Verdicts) :-
     stated_requirements(Robot, Stated),
+    verdicts(Robot, Stated, Subject, Verdicts).
+
+verdicts(Robot, Stated, Subject, Verdicts) :-
     requirement_groups(Stated, Subject, Groups),
     maplist(group_verdict(Robot), Groups, Verdicts).
 
-%!  requirements_hold(+Context, +Subject) is semidet.
+%!  requirements_hold(+Context, +Stated:list, +Subject) is semidet.
 %
-%   Everything is met; in a context that is not strict, or unknown.
+%   Everything is met of what Stated (stated_requirements/2) says of Subject; in a context that is not
+%   strict, or unknown.
 
-requirements_hold(Context, Subject) :-
-    Context = context(_, _, Strict),
-    requirements_met(Context, Subject, Verdicts),
+requirements_hold(context(Robot, _, Strict), Stated, Subject) :-
+    verdicts(Robot, Stated, Subject, Verdicts),
     \+ ( member(Verdict, Verdicts),
          get_dict(verdict, Verdict, How),
          \+ holds(How, Strict) ).

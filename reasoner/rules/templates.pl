@@ -1,5 +1,8 @@
 :- module(templates,
-          [ choose_template/3,
+          [ candidates/5,
+            template_conditions/2,
+            fitting/5,
+            choose_template/5,
             template_serves/2,
             unknown_answers/3,
             can_exhaust/2,
@@ -35,65 +38,69 @@ Of those that apply, the one whose action is nearest to the step (Rada distance)
 */
 
 :- rdf_meta
+    all_of(r, r, -),
     text_of(r, r, -),
     first_text(r, r, -, -).
 
-%!  choose_template(+Situation:dict, +Answers:list, -Choice) is det.
+%!  candidates(+Step, +Causes:list, +Given:list, -Candidates:list, -None) is det.
 %
-%   Situation is situation{step, causes, given, robot, place, layers} with the results that the recipe
-%   leads on, the classes of the steps whose outputs the step is given, the robot's context or `none`
-%   (with which the environment's place and layers are not looked at either). Choice is
-%   chosen(Template, Action, Distance), tie(Templates), none(Sentence).
+%   The templates that do Step for some robot in some place: `Distance-(Template-Action)`, the nearest
+%   first. Causes are the results that the recipe leads on from it, Given the classes of the steps whose
+%   outputs it is given. None is the sentence for a robot of which no candidate fits.
 
-choose_template(Situation, Answers, Choice) :-
-    get_dict(step, Situation, Step),
+candidates(Step, Causes, Given, Candidates, None) :-
     findall(Template-Action, (template(Template, Action), subclass(Step, Action)), Serving),
     findall(Distance-(Template-Action),
             ( member(Template-Action, Serving),
-              applies(Template, Situation),
+              applies(Template, Step, Causes, Given),
               rada_distance(Step, Action, Distance) ),
-            Applicable),
-    keysort(Applicable, Sorted),
-    pick(Sorted, Serving, Situation, Answers, Choice).
+            Found),
+    keysort(Found, Candidates),
+    no_template(Serving, Step, Causes, None).
 
-pick([], [], Situation, _, none([name(Step), " is an action for which no skill template is known"])) :-
-    !,
-    get_dict(step, Situation, Step).
-pick([], Serving, Situation, _, none(["no skill template for ", name(Step), " has an outcome that \c
-means ", name(Cause), ", by which the recipe leads on"])) :-
-    get_dict(causes, Situation, Causes),
+no_template([], Step, _, [name(Step), " is an action for which no skill template is known"]) :-
+    !.
+no_template(Serving, Step, Causes, ["no skill template for ", name(Step), " has an outcome that \c
+means ", name(Cause), ", by which the recipe leads on"]) :-
     member(Cause, Causes),
     \+ ( member(Template-_, Serving), outcome_for(Template, Cause) ),
-    !,
-    get_dict(step, Situation, Step).
-pick([], Serving, Situation, _, none(Sentence)) :-
-    !,
-    get_dict(step, Situation, Step),
-    findall(Part, (member(Template-_, Serving), template_name(Template, Part)), Names0),
+    !.
+no_template(Serving, Step, _, Sentence) :-
+    findall(label(Template), member(Template-_, Serving), Names0),
     sort(Names0, Names),
     join_names(Names, Joined),
     append(["no skill template applies to ", name(Step), ": the conditions of "|Joined],
            [" do not hold here"], Sentence).
-pick(Sorted, _, Situation, Answers, Choice) :-
-    get_dict(step, Situation, Step),
-    Sorted = [Least-_|_],
-    findall(Template-Action, member(Least-(Template-Action), Sorted), Nearest0),
-    sort(Nearest0, Nearest),
-    (   member(Named-Wanted, Answers),
-        goes_by(Step, Named)
-    ->  (   member(Distance-(Template-Action), Sorted),
-            template_goes_by(Template, Wanted)
-        ->  Choice = chosen(Template, Action, Distance)
-        ;   Choice = none(["the skill template ", name(Wanted), ", asked for, does not apply to ",
-                           name(Step)])
-        )
-    ;   findall(Template, member(Template-_, Nearest), Templates0),
-        sort(Templates0, Templates),
-        (   Templates = [Template]
-        ->  memberchk(Template-Action, Nearest),
-            Choice = chosen(Template, Action, Least)
-        ;   Choice = tie(Templates)
-        )
+
+%!  choose_template(+Step, +Candidates:list, +None, +Answers:list, -Choice) is det.
+%
+%   Of Candidates (`Distance-Candidate`, the nearest first, of which arguments 1 and 2 are template and
+%   action) that fit. Answers lists Step-Template as people name them. Choice is
+%   chosen(Candidate, Distance), tie(Templates) or none(Sentence).
+
+choose_template(_, [], None, _, none(None)) :-
+    !.
+choose_template(Step, Candidates, _, Answers, Choice) :-
+    member(Named-Wanted, Answers),
+    goes_by(Step, Named),
+    !,
+    (   member(Distance-Candidate, Candidates),
+        arg(1, Candidate, Template),
+        template_goes_by(Template, Wanted)
+    ->  Choice = chosen(Candidate, Distance)
+    ;   Choice = none(["the skill template ", name(Wanted), ", asked for, does not apply to ",
+                       name(Step)])
+    ).
+choose_template(_, Candidates, _, _, Choice) :-
+    Candidates = [Least-_|_],
+    findall(Template, (member(Least-Candidate, Candidates), arg(1, Candidate, Template)), Nearest),
+    sort(Nearest, Templates),
+    (   Templates = [_]
+    ->  findall(Action-Candidate, (member(Least-Candidate, Candidates), arg(2, Candidate, Action)),
+                Ways),
+        keysort(Ways, [_-First|_]),
+        Choice = chosen(First, Least)
+    ;   Choice = tie(Templates)
     ).
 
 %!  unknown_answers(+Answers:list, +Steps:list, -Problems:list) is det.
@@ -114,8 +121,6 @@ goes_by(Thing, Name) :- rdf_label(Thing, Name).
 template_goes_by(Template, Name) :- goes_by(Template, Name), !.
 template_goes_by(Template, Name) :- text_of(Template, lares:skillName, Name).
 
-template_name(Template, label(Template)).
-
 join_names([One], [One]) :- !.
 join_names([One|More], [One, ", "|Rest]) :- join_names(More, Rest).
 
@@ -131,33 +136,80 @@ template_serves(Step, Template) :-
     template(Template, Action),
     subclass(Step, Action).
 
-applies(Template, Situation) :-
-    get_dict(causes, Situation, Causes),
-    get_dict(given, Situation, Given),
-    get_dict(robot, Situation, Robot),
-    get_dict(step, Situation, Step),
+% What does not hang on robot and place.
+applies(Template, Step, Causes, Given) :-
     \+ ( member(Cause, Causes), \+ outcome_for(Template, Cause) ),
     \+ ( rdf_asserted(Template, lares:appliesWithOutputOf, Class), \+ given_by(Given, Class) ),
     \+ ( rdf_asserted(Template, lares:notWithOutputOf, Class), given_by(Given, Class) ),
     \+ ( rdf_asserted(Template, lares:appliesWithProperty, Property), \+ says(Step, Property) ),
-    \+ ( rdf_asserted(Template, lares:notWithProperty, Property), says(Step, Property) ),
-    \+ ( Robot \== none, rdf_asserted(Template, lares:needsComponent, Class),
-         \+ robot_has(Robot, Class) ),
-    \+ ( Robot \== none, rdf_asserted(Template, lares:notWithComponent, Class),
-         robot_has(Robot, Class) ),
-    ( Robot == none -> true ; fits_environment(Template, Situation) ),
-    \+ ( Robot \== none, rdf_asserted(Template, lares:requires, _),
-         \+ requirements_hold(Robot, Template) ),
-    \+ ( Robot \== none, rdf_asserted(Template, lares:needsCapability, Class),
-         \+ robot_can(Robot, Class) ).
+    \+ ( rdf_asserted(Template, lares:notWithProperty, Property), says(Step, Property) ).
 
-fits_environment(Template, Situation) :-
-    get_dict(place, Situation, Place),
-    get_dict(layers, Situation, Layers),
-    \+ ( rdf_asserted(Template, lares:appliesInPlace, Class), \+ in_place(Place, Class) ),
-    \+ ( rdf_asserted(Template, lares:notInPlace, Class), in_place(Place, Class) ),
-    \+ ( rdf_asserted(Template, lares:needsLayer, literal(Text, _, _)),
-         to_atom(Text, Layer), \+ memberchk(Layer, Layers) ).
+%!  template_conditions(+Template, -Conditions:dict) is det.
+%
+%   What it asks of robot and place: conditions{components, no_components, places, no_places, layers,
+%   capabilities, numbers}, `numbers` telling whether it states requirements.
+
+template_conditions(Template, conditions{components:Components, no_components:NoComponents,
+                                         places:Places, no_places:NoPlaces, layers:Layers,
+                                         capabilities:Capabilities, numbers:Numbers}) :-
+    all_of(Template, lares:needsComponent, Components),
+    all_of(Template, lares:notWithComponent, NoComponents),
+    all_of(Template, lares:appliesInPlace, Places),
+    all_of(Template, lares:notInPlace, NoPlaces),
+    all_of(Template, lares:needsCapability, Capabilities),
+    findall(Layer, text_of(Template, lares:needsLayer, Layer), Layers),
+    ( rdf_asserted(Template, lares:requires, _) -> Numbers = true ; Numbers = false ).
+
+all_of(Template, Property, Values) :-
+    findall(Value, rdf_asserted(Template, Property, Value), Values).
+
+%!  fitting(+Templates:list, +Robot, +Place, +Layers:list, -Fitting:list) is det.
+%
+%   Those of Templates (`Template-Conditions`) whose conditions hold for the robot of context Robot, in
+%   Place ('' for none) of which the environment has Layers.
+
+fitting(Templates, Robot, Place, Layers, Fitting) :-
+    (   member(_-Conditions, Templates), asks_more(Conditions)
+    ->  Robot = context(Individual, _, _),
+        stated_requirements(Individual, Stated)
+    ;   Stated = []
+    ),
+    findall(Template,
+            ( member(Template-Conditions, Templates),
+              fits(Conditions, Template, Robot, Stated, Place, Layers) ),
+            Fitting).
+
+asks_more(Conditions) :- get_dict(numbers, Conditions, true), !.
+asks_more(Conditions) :- \+ get_dict(capabilities, Conditions, []).
+
+fits(Conditions, Template, Robot, Stated, Place, Layers) :-
+    \+ lacks(Conditions, Template, Robot, Stated, Place, Layers).
+
+lacks(Conditions, _, Robot, _, _, _) :-
+    one_of(components, Conditions, Class),
+    \+ robot_has(Robot, Class).
+lacks(Conditions, _, Robot, _, _, _) :-
+    one_of(no_components, Conditions, Class),
+    robot_has(Robot, Class).
+lacks(Conditions, _, _, _, Place, _) :-
+    one_of(places, Conditions, Class),
+    \+ in_place(Place, Class).
+lacks(Conditions, _, _, _, Place, _) :-
+    one_of(no_places, Conditions, Class),
+    in_place(Place, Class).
+lacks(Conditions, _, _, _, _, Layers) :-
+    one_of(layers, Conditions, Layer),
+    \+ memberchk(Layer, Layers).
+lacks(Conditions, Template, Robot, Stated, _, _) :-
+    get_dict(numbers, Conditions, true),
+    \+ requirements_hold(Robot, Stated, Template).
+lacks(Conditions, _, Robot, Stated, _, _) :-
+    one_of(capabilities, Conditions, Class),
+    \+ available(Robot, Stated, Class).
+
+one_of(Kind, Conditions, One) :-
+    get_dict(Kind, Conditions, All),
+    member(One, All).
 
 %   Place is an individual or a class, '' without one.
 in_place(Place, Class) :-
@@ -167,9 +219,6 @@ in_place(Place, Class) :-
 
 robot_has(context(Robot, _, _), Class) :-
     has_component(Robot, Class).
-
-robot_can(Context, Class) :-
-    available(Context, Class).
 
 given_by(Given, Class) :-
     member(Producer, Given),
@@ -217,7 +266,7 @@ can_end(Step, Causes, Given) :-
 
 applicable(Step, Causes, Given, Template) :-
     template_serves(Step, Template),
-    applies(Template, situation{step:Step, causes:Causes, given:Given, robot:none}).
+    applies(Template, Step, Causes, Given).
 
 %!  template_skill(+Template, -Skill:atom) is det.
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "recipes/match/explain.h"
+#include "recipes/match/words.h"
 
 namespace lares::recipes {
 

@@ -293,8 +293,10 @@ PlanResult MakePlan(prolog::EnginePool& engines, const rdf::View& view, const st
                      ? *options.match
                      : Match(engines, view, task_iri, robot_iri, {options.strict, options.offers});
   if (!result.match.feasible) return result;
+  const Reading reading =
+      options.reading != nullptr ? *options.reading : ReadRecipe(engines, view, task_iri);
   const Value value = Ask(engines, view, "planning", "plan",
-                          {Value{Atom{task_iri}}, Value{Atom{robot_iri}},
+                          {Value{reading.record}, Value{Atom{robot_iri}},
                            PlanningOptions(view, options), Value{Atom{options.environment_iri}}});
   if (value.find("start") == nullptr) {
     result.choices = ReadChoices(view, value.at("choices"));

@@ -9,6 +9,7 @@
 #include "ontology/triples/view.h"
 #include "reasoner/prolog/engine_pool.h"
 #include "recipes/match/match.h"
+#include "recipes/plan/reading.h"
 #include "recipes/resource.h"
 
 namespace lares::recipes {
@@ -148,6 +149,7 @@ struct PlanOptions {
   bool sequential = false;             // nothing side by side
   std::vector<Offer> offers;           // what can be downloaded: it counts as the robot's
   const MatchReport* match = nullptr;  // where it was found before
+  const Reading* reading = nullptr;    // where the task was read before
   // A plan made anew: where to go on (empty: where the first step that is not done begins) and
   // which states are done already, by the ids of the plan that was.
   std::string from;

@@ -82,9 +82,17 @@ class Meanings {
       }
     }
   }
+  // Whether it, or its last part, is as long as some name: most are told apart by that.
+  bool MayBeNamed(std::string_view iri) const {
+    return std::any_of(lengths_.begin(), lengths_.end(), [&](std::size_t length) {
+      if (iri.size() <= length) return iri.size() == length;
+      const char before = iri[iri.size() - length - 1];
+      return before == '#' || before == '/';
+    });
+  }
   void AddByName(const rdf::Triple& triple, std::string_view iri) {
+    if (!MayBeNamed(iri)) return;
     const std::string_view local = LocalName(iri);
-    if (lengths_.count(local.size()) == 0 && meanings_.count(std::string(iri)) == 0) return;
     const auto named = by_lower_.find(ToLower(local));
     if (named != by_lower_.end()) {
       for (const std::string& name : named->second) {

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "server/api/answers.h"
 #include "server/api/quarantine.h"
+#include "server/api/scope.h"
 #include "server/http/etag.h"
 #include "server/http/media_type.h"
 #include "server/http/multipart.h"
@@ -19,13 +20,26 @@ namespace {
 using store::DocumentInfo;
 using store::DocumentKind;
 
-DocumentInfo Current(const store::Store& store, DocumentKind kind, const std::string& id) {
-  if (auto found = store.FindDocument(kind, id)) return *found;
+Error NoDocument(DocumentKind kind, const std::string& id) {
+  return Error(Code::kNotFound,
+               "there is no " + std::string(store::ToString(kind)) + " '" + id + "'");
+}
+
+std::vector<DocumentInfo> Visible(const http::Request& request, DocumentKind kind,
+                                  const store::Store& store) {
+  std::vector<DocumentInfo> documents = store.ListDocuments(kind);
+  std::erase_if(documents, [&](const DocumentInfo& one) { return !MaySee(request, kind, one.id); });
+  return documents;
+}
+
+// The newest version of the path's {id}. Throws kNotFound, with similar names.
+DocumentInfo Current(const http::Request& request, DocumentKind kind, const store::Store& store) {
+  const std::string& id = request.Param("id");
+  const auto found = store.FindDocument(kind, id);
+  if (found && MaySee(request, kind, id)) return *found;
   std::vector<std::string> ids;
-  for (const DocumentInfo& document : store.ListDocuments(kind)) ids.push_back(document.id);
-  throw Error(Code::kNotFound,
-              "there is no " + std::string(store::ToString(kind)) + " '" + id + "'")
-      .WithCandidates(SimilarNames(id, ids));
+  for (const DocumentInfo& document : Visible(request, kind, store)) ids.push_back(document.id);
+  throw NoDocument(kind, id).WithCandidates(SimilarNames(id, ids));
 }
 
 // "application/octet-stream" and forms say nothing about what they carry.
@@ -67,8 +81,9 @@ http::Response GetDocument(const http::Request& request, DocumentKind kind,
                            const store::Store& store) {
   const std::string& id = request.Param("id");
   const int version = QueryNumber(request, "version", 0, 1, INT32_MAX);
-  const DocumentInfo document =
-      version == 0 ? Current(store, kind, id) : store.GetDocument(kind, id, version);
+  const DocumentInfo document = version == 0 || !MaySee(request, kind, id)
+                                    ? Current(request, kind, store)
+                                    : store.GetDocument(kind, id, version);
   const std::string as = request.Query("as").value_or("original");
   if (as == "info") {
     http::Response response = JsonAnswer(ToJson(document));
@@ -91,7 +106,7 @@ std::string ListedText(const DocumentInfo& document, TextCache& cache) {
 }
 
 http::Response ListDocuments(const http::Request& request, DocumentKind kind, Context& context) {
-  const std::vector<DocumentInfo> documents = context.store.ListDocuments(kind);
+  const std::vector<DocumentInfo> documents = Visible(request, kind, context.store);
   return PageOfTexts(
       request, documents.size(), [&](std::size_t i) { return documents[i].id; },
       [&](std::size_t i) { return ListedText(documents[i], *context.listed); });
@@ -99,8 +114,9 @@ http::Response ListDocuments(const http::Request& request, DocumentKind kind, Co
 
 http::Response ListVersions(const http::Request& request, DocumentKind kind,
                             const store::Store& store) {
-  const std::vector<DocumentInfo> versions = store.DocumentLog(kind, request.Param("id"));
-  if (versions.empty()) Current(store, kind, request.Param("id"));
+  const std::string& id = request.Param("id");
+  if (!MaySee(request, kind, id)) throw NoDocument(kind, id);
+  const std::vector<DocumentInfo> versions = store.DocumentLog(kind, id);
   return Page(
       request, versions.size(), [&](std::size_t i) { return std::to_string(versions[i].version); },
       [&](std::size_t i) { return ToJson(versions[i]); });
@@ -108,7 +124,7 @@ http::Response ListVersions(const http::Request& request, DocumentKind kind,
 
 http::Response DeleteDocument(const http::Request& request, DocumentKind kind, Context& context) {
   const std::string& id = request.Param("id");
-  const DocumentInfo current = Current(context.store, kind, id);
+  const DocumentInfo current = Current(request, kind, context.store);
   const std::string condition = http::WriteCondition(request, current.etag());
   if (!condition.empty() && condition != "*" && condition != current.etag()) {
     throw Error(Code::kPreconditionFailed,

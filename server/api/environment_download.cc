@@ -77,8 +77,7 @@ http::Response SemanticLayer(const http::Request& request, const store::Environm
 }
 
 http::Response GetLayer(const http::Request& request, Context& context) {
-  const store::EnvironmentVersion version =
-      FindVersion(context.store, request.Param("id"), request.Param("number"));
+  const store::EnvironmentVersion version = FindVersion(request, context);
   const store::LayerInfo& layer = FindLayer(version, request.Param("name"));
   if (layer.name == "semantic") return SemanticLayer(request, version, layer, context);
   return BlobAnswer(context.store, layer.blob, layer.media_type, layer.file_name,
@@ -126,8 +125,7 @@ void SendFile(const TarFile& entry, const http::Sink& sink) {
 }
 
 http::Response GetTar(const http::Request& request, Context& context) {
-  const store::EnvironmentVersion version =
-      FindVersion(context.store, request.Param("id"), request.Param("number"));
+  const store::EnvironmentVersion version = FindVersion(request, context);
   std::vector<TarFile> files = TarFiles(version, context);
   http::StreamBody body;
   body.length = TarEnd().size();

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
@@ -59,6 +60,7 @@ class VersionForm {
   }
 
   void End() {
+    if (field_ == &parent_) version_.parent = ReadParent();
     if (field_ == &removed_) version_.removed_layers.push_back(std::exchange(removed_, ""));
     if (writer_ == nullptr) return;
     writer_->Flush();
@@ -77,16 +79,32 @@ class VersionForm {
     if (name == "label") return &version_.label;
     if (name == "author") return &version_.author;
     if (name == "note") return &version_.note;
+    if (name == "robot") return &version_.robot;
+    if (name == "mission") return &version_.mission;
+    if (name == "parent") return &parent_;
     if (name == "remove") return &removed_;
     return nullptr;
+  }
+
+  int ReadParent() const {
+    int number = 0;
+    const char* end = parent_.data() + parent_.size();
+    const auto [stop, error] = std::from_chars(parent_.data(), end, number);
+    if (error != std::errc() || stop != end || number < 1) {
+      throw Error(Code::kInvalid, "the form's 'parent' is the number of a version, not '" +
+                                      Shortened(parent_, 60) + "'");
+    }
+    return number;
   }
 
   [[noreturn]] static void Unknown(const std::string& name) {
     std::vector<std::string> known = environment::LayerNames();
     const std::string layers = Join(known, ", ");
-    known.insert(known.end(), {"type", "label", "author", "note", "remove"});
-    throw Error(Code::kInvalid, "the form's part '" + name + "' is neither a layer (" + layers +
-                                    ") nor one of type, label, author, note, remove")
+    known.insert(known.end(),
+                 {"type", "label", "author", "robot", "mission", "note", "parent", "remove"});
+    throw Error(Code::kInvalid,
+                "the form's part '" + name + "' is neither a layer (" + layers +
+                    ") nor one of type, label, author, robot, mission, note, parent, remove")
         .WithCandidates(SimilarNames(name, known));
   }
 
@@ -95,6 +113,7 @@ class VersionForm {
   std::map<std::string, environment::LayerFacts> facts_;
   std::string* field_ = nullptr;
   std::string removed_;
+  std::string parent_;
   store::LayerInfo layer_;
   std::unique_ptr<store::BlobWriter> writer_;
 };
@@ -119,7 +138,8 @@ std::string EarlyCondition(const http::Request& request, const store::Store& sto
 
 bool IsEmpty(const store::NewVersion& version) {
   return version.layers.empty() && version.removed_layers.empty() && version.type_iri.empty() &&
-         version.label.empty() && version.author.empty() && version.note.empty();
+         version.label.empty() && version.author.empty() && version.robot.empty() &&
+         version.mission.empty() && version.note.empty();
 }
 
 http::Response KeptAside(const server::Knowledge::VersionAnswer& answer) {

@@ -105,7 +105,13 @@ Json ToJson(const store::EnvironmentVersion& version) {
           {"label", version.label},
           {"created", ToRfc3339(version.created)},
           {"author", version.author},
+          {"robot", version.robot},
+          {"mission", version.mission},
           {"note", version.note},
+          {"origin", store::ToString(version.origin)},
+          {"parents", version.parents},
+          {"base", version.base},
+          {"head", version.was_head},
           {"etag", version.etag()},
           {"changed_layers", version.changed_layers},
           {"layers", std::move(layers)}};
@@ -116,7 +122,9 @@ Json ToJson(const store::EnvironmentInfo& environment) {
           {"type", environment.type_iri},
           {"label", environment.label},
           {"created", ToRfc3339(environment.created)},
-          {"latest", environment.latest}};
+          {"changed", ToRfc3339(environment.changed)},
+          {"latest", environment.latest},
+          {"versions", environment.count}};
 }
 
 Json ToJson(const semantic::MapObject& object) {
@@ -137,6 +145,9 @@ Json ToJson(const semantic::MapObject& object) {
     json["age"] = ToAge(*object.last_seen, Now());
   }
   if (!object.recognised_with.empty()) json["recognised_with"] = object.recognised_with;
+  if (!object.part_of.empty()) json["part_of"] = object.part_of;
+  if (!object.room.empty()) json["room"] = object.room;
+  if (!object.maps.empty()) json["maps"] = object.maps;
   return json;
 }
 

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "server/api/answers.h"
 #include "server/api/context.h"
+#include "server/api/environments.h"
 
 namespace lares::api {
 namespace {
@@ -39,7 +40,7 @@ http::Response LikelyPlaces(const http::Request& request, Context& context) {
   if (where.object.empty()) throw Error(Code::kInvalid, "?object= is missing");
   where.prior = request.Query("prior").value_or("");
   where.environment = request.Query("environment").value_or("");
-  where.environment_version = QueryNumber(request, "version", 0, 1, INT32_MAX);
+  where.environment_version = ChosenVersion(request, context.store, where.environment);
   return JsonAnswer(ToJson(context.knowledge.Where(where)));
 }
 

@@ -6,6 +6,7 @@
 #include "server/api/answers.h"
 #include "server/api/context.h"
 #include "server/api/documents.h"
+#include "server/api/object_models.h"
 #include "server/api/quarantine.h"
 #include "server/http/etag.h"
 #include "server/http/media_type.h"
@@ -15,6 +16,7 @@ namespace lares::api {
 namespace {
 
 constexpr const char* kCollection = "/v1/object-models";
+constexpr const char* kTypical = "typical";
 constexpr std::uint64_t kMaxUploadBytes = std::uint64_t{4} << 30;
 
 // A form of one "description" (RDF, in memory) and any number of "file" parts (into blobs).
@@ -86,6 +88,9 @@ http::Response PutModel(const http::Request& request, Context& context) {
   put.recover = QueryFlag(request, "recover");
   ReadRights(request, put);
   if (!IsIdentifier(put.id)) throw Error(Code::kInvalid, "'" + put.id + "' is no id");
+  if (put.id == kTypical) {
+    throw Error(Code::kInvalid, "'typical' cannot be an id: it asks for the models of a room");
+  }
   const auto current = context.store.FindDocument(put.kind, put.id);
   put.if_match =
       http::WriteCondition(request, current ? std::optional(current->etag()) : std::nullopt);
@@ -93,19 +98,6 @@ http::Response PutModel(const http::Request& request, Context& context) {
   http::ReadMultipart(request, form.handler(), {4096, 8192});
   if (!form.described()) throw Error(Code::kInvalid, "the form has no part 'description'");
   return PutAnswerToResponse(Put(context, put), kCollection, current.has_value());
-}
-
-http::Response ListModels(const http::Request& request, Context& context) {
-  const std::vector<server::ObjectModelInfo> models =
-      context.knowledge.ObjectModels(request.Query("class").value_or(""));
-  return Page(
-      request, models.size(), [&](std::size_t i) { return models[i].document.id; },
-      [&](std::size_t i) {
-        Json json = ToJson(models[i].document);
-        json["classes"] = nlohmann::json::array();
-        for (const auto& of : models[i].classes) json["classes"].push_back(ToJson(of));
-        return json;
-      });
 }
 
 // One of the files that came with the description.
@@ -145,11 +137,18 @@ void AddObjectModelRoutes(http::Router& router, Context& context) {
   for (http::Route route : documents.routes()) {
     if (route.operation == "listObjectModels") {
       route.handler = [&context](const http::Request& request) {
-        return ListModels(request, context);
+        return ListObjectModels(request, context);
       };
     }
     router.Add(std::move(route));
   }
+  router.Add(
+      {"GET",
+       std::string(kCollection) + "/" + kTypical,
+       "getTypicalObjectModels",
+       [&context](const http::Request& request) { return TypicalObjectModels(request, context); },
+       {},
+       0});
   router.Add({"GET",
               std::string(kCollection) + "/{id}/files/{name}",
               "getObjectModelFile",

@@ -48,6 +48,9 @@ Json Operation(const http::Route& route, Json described) {
           schema.contains(type) ? schema[type] : Json::object();
     }
   }
+  if (operation.value("x-lares-role", "") != "public") {
+    operation["security"] = Json::array({Json{{"token", Json::array()}}});
+  }
   operation["responses"]["default"] = {{"$ref", "#/components/responses/Problem"}};
   return operation;
 }
@@ -79,6 +82,10 @@ std::string MakeOpenApi(const std::vector<http::Route>& routes) {
         Operation(route, described["operations"][route.operation]);
   }
   document["components"] = described.at("components");
+  document["components"]["securitySchemes"]["token"] = {
+      {"type", "http"},
+      {"scheme", "bearer"},
+      {"description", "lares_ID_SECRET; not needed while the store has no token"}};
   return document.dump(2) + "\n";
 }
 
@@ -102,6 +109,13 @@ std::vector<std::string> CheckOpenApi(const std::vector<http::Route>& routes) {
       if (!operation.contains(member)) {
         faults.push_back(route.operation + " has no " + member);
       }
+    }
+    if (!operation.contains("x-lares-role")) {
+      faults.push_back(route.operation + " has no x-lares-role");
+    }
+    if (route.path.starts_with("/v1/environments/{id}") &&
+        operation.value("x-lares-environments", "") != "path") {
+      faults.push_back(route.operation + " is about an environment: x-lares-environments is path");
     }
     const Json own_tags = operation.value("tags", Json::array());
     for (const Json& tag : own_tags) {

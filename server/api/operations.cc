@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "server/api/answers.h"
 #include "server/api/context.h"
 #include "server/api/openapi.h"
+#include "server/api/scope.h"
 #include "server/web/bundle.h"
 
 namespace lares::api {
@@ -20,17 +22,20 @@ http::Response Static(const std::string& name, const std::string& type) {
   return response;
 }
 
-Json CountsToJson(const Context& context) {
+Json CountsToJson(const http::Request& request, const Context& context) {
   const server::Knowledge::Counts counts = context.knowledge.counts();
   const auto documents = [&](store::DocumentKind kind) {
     return context.store.ListDocuments(kind).size();
   };
+  const std::vector<store::EnvironmentInfo> all = context.store.ListEnvironments();
+  const auto environments = std::count_if(
+      all.begin(), all.end(), [&](const auto& one) { return Reaches(request, one.id); });
   return {{"ontology_modules", context.knowledge.Modules().size()},
           {"recipes", documents(store::DocumentKind::kRecipe)},
           {"robots", documents(store::DocumentKind::kRobot)},
           {"object_models", documents(store::DocumentKind::kObjectModel)},
           {"priors", documents(store::DocumentKind::kPrior)},
-          {"environments", context.store.ListEnvironments().size()},
+          {"environments", environments},
           {"terms", counts.terms},
           {"statements_asserted", counts.asserted},
           {"statements_inferred", counts.inferred},
@@ -50,13 +55,13 @@ http::Response Ready(const Context& context) {
   return JsonAnswer({{"status", "ready"}});
 }
 
-http::Response Status(const Context& context) {
+http::Response Status(const http::Request& request, const Context& context) {
   const auto uptime = std::chrono::steady_clock::now() - context.started;
   Json json{{"name", "lares"},
             {"version", LARES_VERSION},
             {"uptime_s", std::chrono::duration<double>(uptime).count()},
             {"writes_refused", context.store.health()},
-            {"counts", CountsToJson(context)}};
+            {"counts", CountsToJson(request, context)}};
   return JsonAnswer(json);
 }
 
@@ -123,7 +128,8 @@ void AddOperationRoutes(http::Router& router, Context& context) {
   get("/healthz", "getHealth", Health);
   get("/readyz", "getReadiness", [&context](const http::Request&) { return Ready(context); });
   get("/metrics", "getMetrics", [&context](const http::Request&) { return MetricsText(context); });
-  get("/v1/status", "getStatus", [&context](const http::Request&) { return Status(context); });
+  get("/v1/status", "getStatus",
+      [&context](const http::Request& request) { return Status(request, context); });
   get("/openapi.json", "getOpenApi", [&context](const http::Request&) {
     http::Response response;
     response.headers.Set("Content-Type", "application/json");

@@ -7,10 +7,11 @@ namespace lares::api {
 namespace {
 
 http::Response GetGridFile(const http::Request& request, Context& context, bool is_image) {
-  const store::EnvironmentVersion version =
-      FindVersion(context.store, request.Param("id"), request.Param("number"));
-  const auto grid =
-      context.knowledge.MakeRobotGrid(request.Param("robot"), version.environment, version.number);
+  const store::EnvironmentVersion version = FindVersion(request, context);
+  // The newest is, for a robot that is pinned, the one that it is pinned to.
+  const bool is_newest = request.Param("number") == "latest" && !request.Query("as_of");
+  const auto grid = context.knowledge.MakeRobotGrid(request.Param("robot"), version.environment,
+                                                    is_newest ? 0 : version.number);
   http::Response response;
   response.headers.Set("Content-Type", is_image ? "image/x-portable-graymap" : "application/yaml");
   response.headers.Set(

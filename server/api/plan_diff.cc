@@ -6,6 +6,7 @@
 #include "recipes/plan/export.h"
 #include "server/api/context.h"
 #include "server/api/plans.h"
+#include "server/api/scope.h"
 #include "server/http/media_type.h"
 
 namespace lares::api {
@@ -33,18 +34,22 @@ PlainJson ReadSides(const std::string& body) {
 }
 
 // A plan is taken as it is; anything else asks for one.
-recipes::Plan ReadOrMakePlan(const PlainJson& side, Context& context) {
+recipes::Plan ReadOrMakePlan(const PlainJson& side, const http::Request& request,
+                             Context& context) {
   if (side.is_object() && side.contains("format")) return recipes::PlanFromJson(side);
-  server::PlanAnswer answer = context.knowledge.MakePlan(ReadPlanRequest(side.dump()));
+  const server::PlanRequest asked = ReadPlanRequest(side.dump());
+  CheckReach(request, asked.environment);
+  server::PlanAnswer answer = context.knowledge.MakePlan(asked);
   if (!answer.result.plan) throw Refusal(answer);
   return *std::move(answer.result.plan);
 }
 
 // Every fault says which side it is of.
-recipes::Plan PlanOf(const PlainJson& sides, const std::string& name, Context& context) {
+recipes::Plan PlanOf(const PlainJson& sides, const std::string& name, const http::Request& request,
+                     Context& context) {
   if (!sides.contains(name)) throw Error(Code::kInvalid, "'" + name + "' is missing");
   try {
-    return ReadOrMakePlan(sides[name], context);
+    return ReadOrMakePlan(sides[name], request, context);
   } catch (const http::ProblemError&) {
     throw;  // of a plan that cannot be made: it names task and robot
   } catch (const Error& error) {
@@ -70,8 +75,8 @@ bool WantsText(const http::Request& request) {
 http::Response Compare(const http::Request& request, Context& context) {
   const bool text = WantsText(request);
   const PlainJson sides = ReadSides(http::ReadWholeBody(request, kMaxDiffRequest));
-  const recipes::Plan a = PlanOf(sides, "a", context);
-  const recipes::Plan b = PlanOf(sides, "b", context);
+  const recipes::Plan a = PlanOf(sides, "a", request, context);
+  const recipes::Plan b = PlanOf(sides, "b", request, context);
   const recipes::PlanDiff diff = recipes::DiffPlans(a, b);
   http::Response response;
   response.headers.Set("Content-Type", text ? "text/plain; charset=utf-8" : "application/json");

@@ -7,6 +7,7 @@
 #include "server/api/package.h"
 #include "server/api/plans.h"
 #include "server/api/recipe_robots.h"
+#include "server/api/scope.h"
 #include "server/http/media_type.h"
 #include "server/http/problem.h"
 
@@ -161,6 +162,7 @@ namespace {
 http::Response MakePlan(const http::Request& request, Context& context) {
   const Format& format = ChooseFormat(request);
   const server::PlanRequest asked = ReadPlanRequest(http::ReadWholeBody(request, kMaxPlanRequest));
+  CheckReach(request, asked.environment);
   const server::PlanAnswer answer = context.knowledge.MakePlan(asked);
   if (!answer.result.plan) throw Refusal(answer);
   http::Response response;

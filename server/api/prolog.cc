@@ -4,6 +4,7 @@
 #include "reasoner/prolog_worker/workers.h"
 #include "server/api/answers.h"
 #include "server/api/context.h"
+#include "server/api/scope.h"
 #include "server/http/media_type.h"
 #include "server/http/problem.h"
 
@@ -153,6 +154,7 @@ http::Response Answer(const http::Request& request, Context& context) {
                              "answers are given as application/json or application/x-ndjson");
   }
   Question question = ReadQuestion(request);
+  CheckReach(request, question.view.environment);
   question.goal.max_bytes = type == kLines ? kMaxStreamedBytes : kMaxWholeBytes;
   const Goal goal = context.workers->Start(context.knowledge.ViewFor(question.view), question.goal);
   if (type != kLines) return WholeAnswer(request, *goal);

@@ -2,9 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/error.h"
 #include "server/api/answers.h"
 #include "server/api/documents.h"
 #include "server/api/environments.h"
+#include "server/api/scope.h"
 #include "server/http/problem.h"
 #include "server/knowledge/quarantine.h"
 #include "server/knowledge/refusal.h"
@@ -33,9 +35,19 @@ auto Translated(const Work& work) {
   }
 }
 
-http::Response Release(const http::Request& request, Context& context) {
+bool ReadEditor(const http::Request& request) {
   const bool editor = QueryFlag(request, "editor");
+  if (editor) CheckIsEditor(request);
+  return editor;
+}
+
+http::Response Release(const http::Request& request, Context& context) {
+  const bool editor = ReadEditor(request);
   const std::string& id = request.Param("id");
+  if (!MaySee(request, store::DocumentKind::kQuarantined, id)) {
+    throw Error(Code::kNotFound, "no document '" + id + "' is kept aside")
+        .WithHint("lares quarantine list shows those that are");
+  }
   if (id.starts_with(server::QuarantineIdOfEnvironment(""))) {
     return VersionCreated(Translated([&] { return context.knowledge.ReleaseVersion(id, editor); }));
   }
@@ -45,12 +57,12 @@ http::Response Release(const http::Request& request, Context& context) {
 }  // namespace
 
 void ReadRights(const http::Request& request, server::PutRequest& put) {
-  put.editor = QueryFlag(request, "editor");
+  put.editor = ReadEditor(request);
   put.quarantine = QueryFlag(request, "quarantine");
 }
 
 server::Knowledge::VersionRights ReadVersionRights(const http::Request& request) {
-  return {QueryFlag(request, "editor"), QueryFlag(request, "quarantine")};
+  return {ReadEditor(request), QueryFlag(request, "quarantine")};
 }
 
 server::PutAnswer Put(Context& context, const server::PutRequest& put) {

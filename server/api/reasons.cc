@@ -10,6 +10,7 @@
 #include "reasoner/owl/why_not.h"
 #include "server/api/answers.h"
 #include "server/api/context.h"
+#include "server/api/environments.h"
 #include "server/http/media_type.h"
 #include "server/http/problem.h"
 #include "server/knowledge/terms.h"
@@ -50,7 +51,7 @@ rdf::View ViewAsked(const http::Request& request, Context& context) {
   view.recipe = request.Query("recipe").value_or("");
   view.robot = request.Query("robot").value_or("");
   view.environment = request.Query("environment").value_or("");
-  view.environment_version = QueryNumber(request, "version", 0, 1, INT32_MAX);
+  view.environment_version = ChosenVersion(request, context.store, view.environment);
   return context.knowledge.ViewFor(view);
 }
 

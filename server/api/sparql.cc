@@ -9,6 +9,7 @@
 #include "reasoner/sparql/results.h"
 #include "server/api/answers.h"
 #include "server/api/context.h"
+#include "server/api/scope.h"
 #include "server/api/standing_query.h"
 #include "server/http/media_type.h"
 #include "server/http/problem.h"
@@ -184,8 +185,10 @@ http::Response Answer(const http::Request& request, Context& context,
                       const std::shared_ptr<Gate>& gate) {
   const http::Request all = Collect(request);
   auto asked = std::make_shared<const Asked>(ReadQuestion(all, context.knowledge.aliases()));
-  auto pinned = std::make_shared<const server::PinnedView>(
-      context.snapshots, context.knowledge.ViewFor(ReadViewRequest(all)));
+  const server::ViewRequest about = ReadViewRequest(all, context.store);
+  CheckReach(request, about.environment);
+  auto pinned = std::make_shared<const server::PinnedView>(context.snapshots,
+                                                           context.knowledge.ViewFor(about));
   http::Response response;
   const std::string type = asked->format.media_type;
   response.headers.Set("Content-Type", type.starts_with("text/") ? type + "; charset=utf-8" : type);

@@ -6,6 +6,7 @@
 #include "ontology/rdf/vocabulary.h"
 #include "reasoner/sparql/syntax.h"
 #include "server/api/answers.h"
+#include "server/api/environments.h"
 
 namespace lares::api {
 
@@ -39,15 +40,12 @@ sparql::Query ParseSparql(const std::string& text, const rdf::AliasTable& aliase
   return sparql::Query(std::move(syntax));
 }
 
-server::ViewRequest ReadViewRequest(const http::Request& request) {
+server::ViewRequest ReadViewRequest(const http::Request& request, const store::Store& store) {
   server::ViewRequest about;
   about.recipe = request.Query("recipe").value_or("");
   about.robot = request.Query("robot").value_or("");
   about.environment = request.Query("environment").value_or("");
-  about.environment_version = QueryNumber(request, "version", 0, 1, INT32_MAX);
-  if (about.environment_version != 0 && about.environment.empty()) {
-    throw Error(Code::kInvalid, "?version= is that of an ?environment=");
-  }
+  about.environment_version = ChosenVersion(request, store, about.environment);
   return about;
 }
 

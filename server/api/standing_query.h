@@ -24,8 +24,8 @@ const std::map<std::string, std::string>& KnownPrefixes();
 sparql::Query ParseSparql(const std::string& text, const rdf::AliasTable& aliases,
                           const Parameters& graphs = {});
 
-// ?recipe=, ?robot=, ?environment=, ?version=. Throws kInvalid.
-server::ViewRequest ReadViewRequest(const http::Request& request);
+// ?recipe=, ?robot=, ?environment=, ?version=, ?as_of=. Throws kInvalid, kNotFound.
+server::ViewRequest ReadViewRequest(const http::Request& request, const store::Store& store);
 
 // Every document of the view is a named graph.
 sparql::Dataset DatasetOf(const rdf::View& view);

@@ -119,6 +119,7 @@ struct Subscriber {
   FirstEvent first;
   std::shared_ptr<http::EventChannel> channel;
   std::shared_ptr<void> place;
+  std::function<bool()> allowed;
   std::shared_ptr<const Rows> told;  // null: nothing yet
 };
 
@@ -164,6 +165,7 @@ struct WatchHub::State {
   void Admit();
   void Refresh(Watch& watch, std::uint64_t generation, const std::stop_token& stop);
   bool Tell(Watch& watch);
+  static void EndForbidden(Watch& watch);
   static void Fail(Watch& watch, const std::exception& error);
 };
 
@@ -190,6 +192,7 @@ bool WatchHub::State::Round(const std::stop_token& stop) {
   Admit();
   std::size_t subscribers = 0;
   for (auto& [key, watch] : watches) {
+    EndForbidden(watch);
     std::erase_if(watch.subscribers, [](const Subscriber& one) { return one.channel->gone(); });
     subscribers += watch.subscribers.size();
   }
@@ -213,6 +216,17 @@ bool WatchHub::State::Round(const std::stop_token& stop) {
     }
   }
   return unfinished;
+}
+
+// A store that cannot be asked ends no stream: it is asked again in the next round.
+void WatchHub::State::EndForbidden(Watch& watch) {
+  for (Subscriber& subscriber : watch.subscribers) {
+    try {
+      if (!subscriber.allowed()) subscriber.channel->End();
+    } catch (const Error&) {
+      continue;
+    }
+  }
 }
 
 void WatchHub::State::Admit() {
@@ -313,11 +327,13 @@ std::shared_ptr<void> WatchHub::Reserve(const std::string& key) {
 }
 
 void WatchHub::Subscribe(Standing standing, FirstEvent first,
-                         std::shared_ptr<http::EventChannel> channel, std::shared_ptr<void> place) {
+                         std::shared_ptr<http::EventChannel> channel, std::shared_ptr<void> place,
+                         std::function<bool()> allowed) {
   {
     const std::lock_guard lock(state_->mutex);
-    state_->arrivals.emplace_back(std::move(standing),
-                                  Subscriber{first, std::move(channel), std::move(place), nullptr});
+    state_->arrivals.emplace_back(
+        std::move(standing),
+        Subscriber{first, std::move(channel), std::move(place), std::move(allowed), nullptr});
   }
   state_->Wake();
 }

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -49,8 +50,10 @@ class WatchHub {
   // A place for the query among the distinct ones; given back when the last copy is dropped. Throws
   // "unavailable".
   std::shared_ptr<void> Reserve(const std::string& key);
-  void Subscribe(Standing standing, FirstEvent first, std::shared_ptr<http::EventChannel> channel,
-                 std::shared_ptr<void> place);
+  // The stream ends once `allowed`, asked every second or so, says no.
+  void Subscribe(
+      Standing standing, FirstEvent first, std::shared_ptr<http::EventChannel> channel,
+      std::shared_ptr<void> place, std::function<bool()> allowed = [] { return true; });
   std::size_t subscribers() const;
 
  private:

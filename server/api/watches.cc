@@ -34,11 +34,17 @@ FirstEvent ReadFirst(const http::Request& request) {
   throw Error(Code::kInvalid, "?first= is rows or count, not '" + first + "'");
 }
 
+// Whether the token that the stream was asked with is still good.
+std::function<bool()> StillAllowed(const http::Request& request, const Context& context) {
+  if (request.grant == nullptr || context.access == nullptr) return [] { return true; };
+  return [access = context.access, grant = request.grant] { return access->IsStillGood(*grant); };
+}
+
 http::Response Watch(const http::Request& request, Context& context) {
   const FirstEvent first = ReadFirst(request);
   const std::string text =
       request.Query("query") ? *request.Query("query") : QueryOfPattern(request);
-  const server::ViewRequest about = ReadViewRequest(request);
+  const server::ViewRequest about = ReadViewRequest(request, context.store);
   Json key{text, about.recipe, about.robot, about.environment, about.environment_version};
   Json graphs = Json::array();
   for (const char* name : {"default-graph-uri", "named-graph-uri"}) {
@@ -54,8 +60,9 @@ http::Response Watch(const http::Request& request, Context& context) {
   response.headers.Set("Content-Type", "text/event-stream");
   response.headers.Set("Cache-Control", "no-store");
   response.body = http::EventsBody{
-      [hub = context.watches, standing, first, place](std::shared_ptr<http::EventChannel> channel) {
-        hub->Subscribe(standing, first, std::move(channel), place);
+      [hub = context.watches, standing, first, place,
+       allowed = StillAllowed(request, context)](std::shared_ptr<http::EventChannel> channel) {
+        hub->Subscribe(standing, first, std::move(channel), place, allowed);
       }};
   return response;
 }

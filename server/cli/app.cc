@@ -26,6 +26,16 @@ int ParseAndRun(CLI::App& app, const Options& options, int argc, const char* con
 
 }  // namespace
 
+void AddServerOptions(CLI::App& app, Options& options) {
+  app.add_option("--token-file", options.server.token_file,
+                 "file with the token, when LARES_TOKEN does not hold it")
+      ->group("General");
+  app.add_option("--ca", options.server.ca_file,
+                 "certificates (PEM) that may vouch for an https server, instead of the system's")
+      ->envname("LARES_CA")
+      ->group("General");
+}
+
 CLI::App* AddCommand(CLI::App& parent, const std::string& name, const std::string& what,
                      const std::string& examples) {
   CLI::App* command = parent.add_subcommand(name, what);
@@ -38,7 +48,7 @@ int Run(int argc, const char* const* argv) {
   try {
     Options options;
     CLI::App app("Lares: knowledge-based semantic mapping for service robots", "lares");
-    app.add_option("--server", options.server, "address of the server")
+    app.add_option("--server", options.server.url, "address of the server")
         ->envname("LARES_SERVER")
         ->check([](const std::string& text) {
           try {
@@ -49,6 +59,7 @@ int Run(int argc, const char* const* argv) {
           }
         })
         ->capture_default_str();
+    AddServerOptions(app, options);
     app.add_flag("--json", options.json, "print the server's JSON");
     app.set_version_flag("--version", "lares " LARES_VERSION);
     app.require_subcommand(1);
@@ -73,6 +84,9 @@ int Run(int argc, const char* const* argv) {
     AddWhy(app, options);
     AddDistance(app, options);
     AddWatch(app, options);
+    AddStore(app, options);
+    AddToken(app, options);
+    AddAudit(app, options);
     AddStatus(app, options);
     AddCompletion(app);
     AddMan(app);

@@ -13,7 +13,7 @@ class App;
 namespace lares::cli {
 
 struct Options {
-  std::string server = "http://127.0.0.1:8080";
+  ServerAddress server;
   bool json = false;  // print what the server answered
 };
 
@@ -30,11 +30,16 @@ void AddOntologyCheck(CLI::App& ontology, const Options& options);
 void AddEnvironment(CLI::App& app, const Options& options);
 void AddEnvironmentPut(CLI::App& environment, const Options& options);
 void AddEnvironmentRelease(CLI::App& environment, const Options& options);
+void AddEnvironmentVersions(CLI::App& environment, const Options& options);
+void AddRobotPins(CLI::App& robot, const Options& options);
 void AddEnvironmentGet(CLI::App& environment, const Options& options);
 void AddObjectModel(CLI::App& app, const Options& options);
+void AddObjectModelTypical(CLI::App& model, const Options& options);
 void AddSkill(CLI::App& app, const Options& options);
 void AddPlan(CLI::App& app, Options& options);
 void AddPlanDiff(CLI::App& plan, Options& options);  // below `lares plan`
+void AddToken(CLI::App& app, const Options& options);
+void AddAudit(CLI::App& app, const Options& options);
 void AddPrior(CLI::App& app, const Options& options);
 void AddProlog(CLI::App& app, const Options& options);
 void AddQuarantine(CLI::App& app, const Options& options);
@@ -43,9 +48,13 @@ void AddSparql(CLI::App& app, const Options& options);
 void AddWatch(CLI::App& app, const Options& options);
 void AddWhy(CLI::App& app, const Options& options);  // why and why-not
 void AddDistance(CLI::App& app, const Options& options);
+void AddStore(CLI::App& app, const Options& options);
 void AddStatus(CLI::App& app, const Options& options);
 void AddCompletion(CLI::App& app);  // both print what the tree below `app`, the root, says
 void AddMan(CLI::App& app);
+
+// --token-file and --ca.
+void AddServerOptions(CLI::App& app, Options& options);
 
 // A subcommand with its examples below the help.
 CLI::App* AddCommand(CLI::App& parent, const std::string& name, const std::string& what,

@@ -23,6 +23,9 @@ struct PutOptions {
   std::string label;
   std::string author;
   std::string note;
+  std::string robot;
+  std::string mission;
+  int parent = 0;
   std::string if_match;
   std::vector<std::string> layers;  // NAME=FILE
   std::vector<std::string> removed;
@@ -61,6 +64,9 @@ std::vector<http::FormPart> FormOf(const PutOptions& put, const fs::path& tempor
   field("label", put.label);
   field("author", put.author);
   field("note", put.note);
+  field("robot", put.robot);
+  field("mission", put.mission);
+  if (put.parent > 0) field("parent", std::to_string(put.parent));
   for (const std::string& removed : put.removed) field("remove", removed);
   for (const std::string& layer : put.layers) parts.push_back(LayerPart(layer, temporary));
   if (parts.empty()) throw CLI::ValidationError("--layer", "there is nothing to put");
@@ -145,6 +151,13 @@ void AddEnvironmentPut(CLI::App& environment, const Options& options) {
   command->add_option("--label", put->label, "what people call it");
   command->add_option("--author", put->author, "who made this version");
   command->add_option("--note", put->note, "what is new in it");
+  command->add_option("--robot", put->robot, "which robot made it");
+  command->add_option("--mission", put->mission, "in which mission");
+  command
+      ->add_option("--parent", put->parent,
+                   "the version that it was made from; of another one than the newest it becomes "
+                   "a branch (see: lares environment merge)")
+      ->check(CLI::PositiveNumber);
   command->add_option("--if-match", put->if_match,
                       "only if the newest version still has this ETag; 'none': only if the "
                       "environment is new");

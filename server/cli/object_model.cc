@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
@@ -61,21 +62,46 @@ std::string LabelsOf(const Json& resources) {
   return labels;
 }
 
-void ListModels(const std::string& class_name, const Options& options) {
+// "0.68 × 0.28 × 2 m", width, height and depth where these are known.
+std::string FormatExtents(const Json& extents) {
+  if (!extents.is_object()) return "";
+  std::string text;
+  for (const auto& names :
+       {std::array{"width_m", "height_m", "depth_m"}, std::array{"x_m", "y_m", "z_m"}}) {
+    if (!extents.contains(names[0])) continue;
+    for (const char* name : names) {
+      char side[32];
+      std::snprintf(side, sizeof side, "%.3g", extents.value(name, 0.0));
+      text += (text.empty() ? "" : " × ") + std::string(side);
+    }
+  }
+  return text + " m";
+}
+
+void ListModels(const std::map<std::string, std::string>& asked, const Options& options) {
   Remote remote(options.server);
   std::multimap<std::string, std::string> query;
-  if (!class_name.empty()) query.emplace("class", class_name);
+  for (const auto& [name, value] : asked) {
+    if (!value.empty()) query.emplace(name, value);
+  }
   const Json list = remote.GetList(kCollection, query);
   if (options.json) return PrintJson(list);
-  if (list.at("items").empty()) return Print("no object model is stored\n");
+  if (list.at("items").empty()) {
+    return Print(query.empty() ? "no object model is stored\n"
+                               : "no stored object model is like that\n");
+  }
   std::vector<std::vector<std::string>> rows;
   for (const Json& item : list.at("items")) {
     const Json details = item.value("details", Json::object());
-    rows.push_back({TextOf(item, "id"), std::to_string(item.value("version", 0)),
-                    LabelsOf(item.value("classes", Json::array())),
+    std::string of = LabelsOf(item.value("classes", Json::array()));
+    if (item.contains("probability")) of += " " + FormatPercent(item.value("probability", 0.0));
+    if (TextOf(item, "fit") == "more-general") of += " (more general)";
+    rows.push_back({TextOf(item, "id"), std::to_string(item.value("version", 0)), of,
+                    LabelsOf(item.value("algorithms", Json::array())),
+                    FormatExtents(item.value("extents", Json())),
                     std::to_string(details.value("files", Json::array()).size())});
   }
-  Print(FormatTable({"ID", "VERSION", "MODEL OF", "FILES"}, rows));
+  Print(FormatTable({"ID", "VERSION", "MODEL OF", "ALGORITHM", "SIZE", "FILES"}, rows));
 }
 
 void GetModel(const std::string& id, const std::string& out, const Options& options) {
@@ -107,7 +133,8 @@ void GetModel(const std::string& id, const std::string& out, const Options& opti
 void AddObjectModel(CLI::App& app, const Options& options) {
   auto* model = AddCommand(app, "object-model", "Object models: what recognises an object",
                            "  lares object-model put cabinet.owl face1.png face1.ply\n"
-                           "  lares object-model list --class Cabinet");
+                           "  lares object-model list --class Cabinet\n"
+                           "  lares object-model typical HospitalRoom");
   model->require_subcommand(1);
 
   auto* put = AddCommand(*model, "put", "Store a model: its description and its files",
@@ -122,10 +149,16 @@ void AddObjectModel(CLI::App& app, const Options& options) {
   put->callback([=, &options] { PutModel(*files, *id, *recover, options); });
 
   auto* list = AddCommand(*model, "list", "List the stored models",
-                          "  lares object-model list\n  lares object-model list --class Bottle");
-  auto class_name = std::make_shared<std::string>();
-  list->add_option("--class", *class_name, "only models of this class or a subclass");
-  list->callback([=, &options] { ListModels(*class_name, options); });
+                          "  lares object-model list\n  lares object-model list --class Bottle\n"
+                          "  lares object-model list --room HospitalRoom --maker RoboEarth");
+  auto asked = std::make_shared<std::map<std::string, std::string>>();
+  list->add_option("--class", (*asked)["class"],
+                   "models of this class, a subclass, or something more general");
+  list->add_option("--room", (*asked)["room"], "models of what is typical of this kind of room");
+  list->add_option("--maker", (*asked)["maker"], "made by: IRI, or a part of the name");
+  list->add_option("--algorithm", (*asked)["algorithm"], "for this kind of program");
+  list->add_option("--kind", (*asked)["kind"], "this kind of model, such as PlanarObjectModel");
+  list->callback([=, &options] { ListModels(*asked, options); });
 
   auto* get = AddCommand(*model, "get", "A model's description, or with --out all its files",
                          "  lares object-model get cabinet1 --out cabinet1");
@@ -134,6 +167,7 @@ void AddObjectModel(CLI::App& app, const Options& options) {
   get->add_option("ID", *wanted)->required();
   get->add_option("--out", *out, "folder to write into");
   get->callback([=, &options] { GetModel(*wanted, *out, options); });
+  AddObjectModelTypical(*model, options);
 }
 
 }  // namespace lares::cli

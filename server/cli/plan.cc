@@ -152,7 +152,8 @@ void AddPlan(CLI::App& app, Options& options) {
   // What is no option here is a parameter, so the general options must be known here too.
   command->allow_extras();
   command->fallthrough(false);
-  command->add_option("--server", options.server, "address of the server")->group("General");
+  command->add_option("--server", options.server.url, "address of the server")->group("General");
+  AddServerOptions(*command, options);
   command->add_flag("--json", options.json, "print the server's JSON")->group("General");
   command->add_option("--out", plan->out, "file to write instead of standard output");
   command

@@ -111,7 +111,8 @@ void AddPlanDiff(CLI::App& plan, Options& options) {
   command->add_option("--set", diff->set, "NAME=VALUE: a parameter of the recipe, in both plans")
       ->allow_extra_args(false);
   command->add_flag("--strict", diff->strict, "do not take a capability on the robot maker's word");
-  command->add_option("--server", options.server, "address of the server")->group("General");
+  command->add_option("--server", options.server.url, "address of the server")->group("General");
+  AddServerOptions(*command, options);
   command->add_flag("--json", options.json, "print the server's JSON")->group("General");
   command->callback([=, &options] { Compare(*diff, options); });
 }

@@ -1,11 +1,17 @@
 #include "server/cli/remote.h"
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "base/text.h"
+#include "server/cli/print.h"
+#include "server/http/origin_check.h"
 #include "server/http/url.h"
 
 namespace lares::cli {
 namespace {
+
+constexpr std::uintmax_t kMaxTokenFile = 4096;
 
 std::string Text(const Json& document, const char* name) {
   const auto found = document.find(name);
@@ -15,6 +21,30 @@ std::string Text(const Json& document, const char* name) {
 int Number(const Json& place, const char* name) {
   const auto found = place.find(name);
   return found != place.end() && found->is_number_integer() ? found->get<int>() : 0;
+}
+
+std::string TokenOf(const ServerAddress& server) {
+  if (!server.token_file.empty()) {
+    return std::string(Trim(ReadLocalFile(server.token_file, kMaxTokenFile)));
+  }
+  const char* token = std::getenv("LARES_TOKEN");
+  return token == nullptr ? "" : std::string(Trim(token));
+}
+
+http::ClientOptions ClientOptionsOf(const ServerAddress& server) {
+  http::ClientOptions options;
+  options.ca_file = server.ca_file;
+  options.token = TokenOf(server);
+  if (options.token.find_first_of(" \r\n\t") != std::string::npos) {
+    throw Error(Code::kInvalid, "the token has spaces or line breaks in it");
+  }
+  const http::BaseUrl address = http::ParseBaseUrl(server.url);
+  if (!options.token.empty() && !address.tls && !http::IsLoopbackHost(address.host)) {
+    throw Error(Code::kForbidden,
+                "a token is not sent to " + server.url + ": everybody on the way could read it")
+        .WithHint("give the server's https address");
+  }
+  return options;
 }
 
 [[noreturn]] void ThrowProblem(const http::ClientResponse& response, const std::string& url) {
@@ -55,6 +85,8 @@ RemoteError::RemoteError(std::string problem_code, const std::string& message, P
       problem_code_(std::move(problem_code)),
       document_(std::move(document)) {}
 
+Remote::Remote(const ServerAddress& server) : client_(server.url, ClientOptionsOf(server)) {}
+
 http::ClientResponse Remote::Send(const http::ClientRequest& request,
                                   const http::Transfer& transfer) {
   http::ClientResponse response = client_.Send(request, transfer);
@@ -78,7 +110,7 @@ Json Remote::GetList(const std::string& path, std::multimap<std::string, std::st
   while (true) {
     const Json page = GetJson(path, query);
     for (const Json& item : page.at("items")) all["items"].push_back(item);
-    all["count"] = page.at("count");
+    all["count"] = page.value("count", all["items"].size());
     if (!page.at("next").is_string()) return all;
     query.erase("after");
     query.emplace("after", page.at("next").get<std::string>());

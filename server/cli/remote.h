@@ -26,10 +26,17 @@ class RemoteError : public Error {
   std::string document_;
 };
 
+struct ServerAddress {
+  std::string url = "http://127.0.0.1:8080";
+  std::string token_file;  // "": the token is in LARES_TOKEN, or there is none
+  std::string ca_file;     // "": the system's
+};
+
 // Not thread-safe.
 class Remote {
  public:
-  explicit Remote(const std::string& url) : client_(url) {}
+  // Throws kForbidden for a token that would go to another machine without TLS.
+  explicit Remote(const ServerAddress& server);
 
   // The answer of a 2xx; else throws RemoteError, or as http::Client::Send does.
   http::ClientResponse Send(const http::ClientRequest& request,

@@ -124,6 +124,7 @@ void AddRobot(CLI::App& app, const Options& options) {
   convert->add_option("--out", *out, "file to write instead of standard output");
   convert->callback([=, &options] { GetAs(*id, *as, *out, options); });
   AddRobotQuestions(*robot, options);
+  AddRobotPins(*robot, options);
 }
 
 }  // namespace lares::cli

@@ -1,6 +1,10 @@
+#include <sys/resource.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <optional>
 #include <thread>
 
 #include "base/error.h"
@@ -9,9 +13,11 @@
 #include "server/cli/command.h"
 #include "server/cli/print.h"
 #include "server/cli/service_manager.h"
+#include "server/cli/store_place.h"
 #include "server/http/log.h"
 #include "server/http/origin_check.h"
 #include "server/http/server.h"
+#include "server/knowledge/follower.h"
 #include "server/knowledge/knowledge.h"
 #include "server/store/store.h"
 
@@ -25,20 +31,22 @@ constexpr std::chrono::seconds kGrace{30};
 struct ServeOptions {
   std::string host = "127.0.0.1";
   int port = 8080;
-  std::string data;
+  StorePlace place;
+  std::string backups;
   std::string log_level = "info";
+  std::string tls_certificate;
+  std::string tls_key;
+  bool behind_proxy = false;
+  std::vector<std::string> allowed_hosts;
+  std::size_t max_connections = 1024;
+  std::optional<std::size_t> max_connections_per_peer;
+
+  bool has_tls() const { return !tls_certificate.empty(); }
+  bool is_beyond_loopback() const { return !http::IsLoopbackHost(host); }
 };
 
-fs::path DefaultDataFolder() {
-  if (const char* data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data == '/') {
-    return fs::path(data) / "lares" / "store";
-  }
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
-    return fs::path(home) / ".local" / "share" / "lares" / "store";
-  }
-  throw Error(Code::kInvalid, "neither HOME nor XDG_DATA_HOME is set")
-      .WithHint("say where to keep the data with --data");
-}
+constexpr rlim_t kMostFiles = 65'536;
+constexpr std::size_t kConnectionsPerPeer = 128;  // of other machines
 
 // SIGINT and SIGTERM are waited for instead of handled: blocked before any thread begins, so that
 // every thread inherits it.
@@ -61,19 +69,73 @@ class StopSignals {
   sigset_t signals_{};
 };
 
-void Serve(const ServeOptions& serve) {
-  const StopSignals signals;
-  http::SetLogLevel(http::ParseLogLevel(serve.log_level));
-  const fs::path data = serve.data.empty() ? DefaultDataFolder() : fs::path(serve.data);
-  const std::unique_ptr<store::Store> store = store::OpenSqliteStore({data});
-  prolog::EnginePool engines;
-  server::Knowledge knowledge(*store, engines);
-  api::Context context{*store, knowledge};
+// Beside the data; nowhere for a store that is in no folder, unless one is named.
+fs::path BackupFolder(const ServeOptions& serve) {
+  if (!serve.backups.empty()) return fs::absolute(serve.backups);
+  return serve.place.store.empty() ? fs::absolute(DataFolder(serve.place)) / "backups" : fs::path();
+}
+
+// Other machines are served only if they have to say who they are, and nobody can listen in.
+void CheckReach(const ServeOptions& serve, const store::Store& store) {
+  if (!serve.is_beyond_loopback() && !serve.behind_proxy) return;
+  if (serve.is_beyond_loopback() && !serve.has_tls() && !serve.behind_proxy) {
+    throw Error(Code::kForbidden,
+                "'" + serve.host + "' is not this machine's loopback, and there is no TLS")
+        .WithHint("give --tls-cert and --tls-key, or --behind-proxy when a proxy does that");
+  }
+  if (!store.HasTokens()) {
+    throw Error(Code::kForbidden,
+                "other machines are served only with tokens, and the store has none")
+        .WithHint("lares token create --role admin --label me " + OptionsOf(serve.place));
+  }
+}
+
+http::OriginRules OriginRulesOf(const ServeOptions& serve) {
+  http::OriginRules rules{serve.allowed_hosts, serve.has_tls(), serve.behind_proxy};
+  if (serve.is_beyond_loopback() && serve.host != "0.0.0.0" && serve.host != "::") {
+    rules.hosts.push_back(serve.host);
+  }
+  return rules;
+}
+
+http::ServerOptions ServerOptionsOf(const ServeOptions& serve) {
   http::ServerOptions options;
   options.host = serve.host;
   options.port = serve.port;
-  http::Server server(api::MakeService(context), options);
-  http::Log(http::LogLevel::kInfo, "ready", {{"url", server.url()}, {"data", data.string()}});
+  options.beyond_loopback = serve.is_beyond_loopback();
+  if (serve.has_tls()) options.tls = http::TlsOptions{serve.tls_certificate, serve.tls_key};
+  options.loop.max_connections = serve.max_connections;
+  // Behind a proxy every connection is the proxy's.
+  const bool bounds_peers = serve.is_beyond_loopback() && !serve.behind_proxy;
+  options.loop.max_connections_per_peer =
+      serve.max_connections_per_peer.value_or(bounds_peers ? kConnectionsPerPeer : 0);
+  return options;
+}
+
+// Each connection takes a descriptor, beside those of the store: as many as the system allows.
+void AllowManyFiles() {
+  rlimit files{};
+  if (::getrlimit(RLIMIT_NOFILE, &files) != 0) return;
+  files.rlim_cur = std::max(files.rlim_cur, std::min(files.rlim_max, kMostFiles));
+  ::setrlimit(RLIMIT_NOFILE, &files);
+}
+
+void Serve(const ServeOptions& serve) {
+  const StopSignals signals;
+  AllowManyFiles();
+  http::SetLogLevel(http::ParseLogLevel(serve.log_level));
+  const std::unique_ptr<store::Store> store = OpenStore(serve.place);
+  CheckReach(serve, *store);
+  prolog::EnginePool engines;
+  server::Knowledge knowledge(*store, engines);
+  knowledge.IndexEnvironments();
+  const server::Follower follower(knowledge);
+  api::Context context{*store, knowledge};
+  context.backups = BackupFolder(serve);
+  context.origins = OriginRulesOf(serve);
+  http::Server server(api::MakeService(context), ServerOptionsOf(serve));
+  http::Log(http::LogLevel::kInfo, "ready",
+            {{"url", server.url()}, {"data", Describe(serve.place)}});
   Print("Lares is ready at " + server.url() + "\n");
   TellServiceManager("READY=1\nSTATUS=Ready at " + server.url());
 
@@ -88,27 +150,48 @@ void Serve(const ServeOptions& serve) {
   http::Log(http::LogLevel::kInfo, "stopped");
 }
 
+void AddAccessOptions(CLI::App& command, ServeOptions& serve) {
+  auto* certificate = command.add_option("--tls-cert", serve.tls_certificate,
+                                         "certificate (PEM), with those that lead to its root");
+  auto* key = command.add_option("--tls-key", serve.tls_key, "its key (PEM)");
+  certificate->needs(key);
+  key->needs(certificate);
+  command.add_flag("--behind-proxy", serve.behind_proxy,
+                   "a proxy in front does TLS; what it says in X-Forwarded-… gives nobody rights");
+  command
+      .add_option("--allow-host", serve.allowed_hosts,
+                  "a name that requests may be sent to (Host); again for more")
+      ->expected(1)
+      ->take_all();
+  command.add_option("--max-connections", serve.max_connections, "at the same time")
+      ->check(CLI::Range(16, 100'000))
+      ->capture_default_str();
+  command.add_option("--max-connections-per-peer", serve.max_connections_per_peer,
+                     "of one address, 0: no bound (default: 128 when other machines are served)");
+}
+
 }  // namespace
 
 void AddServe(CLI::App& app, const Options&) {
-  auto* command = AddCommand(app, "serve", "Run the server, for programs of this machine",
-                             "  lares serve\n  lares serve --port 9090 --data ./lares-data");
+  auto* command =
+      AddCommand(app, "serve", "Run the server",
+                 "  lares serve\n  lares serve --port 9090 --data ./lares-data\n"
+                 "  lares serve --store postgresql://lares@db/lares --blobs /srv/lares\n"
+                 "  lares serve --host 0.0.0.0 --tls-cert host.pem --tls-key host.key "
+                 "--allow-host lares.example.org");
   auto serve = std::make_shared<ServeOptions>();
   command->add_option("--port", serve->port, "0: any free one")
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();
+  AddStorePlace(*command, serve->place);
+  command->add_option("--backups", serve->backups,
+                      "folder that backups go to (default: backups, in --data)");
   command
-      ->add_option("--data", serve->data,
-                   "folder that everything is kept in (default: ~/.local/share/lares/store)")
-      ->check([](const std::string& text) {
-        return text.empty() ? std::string("names no folder") : std::string();
-      });
-  command->add_option("--host", serve->host, "a loopback address: 127.0.0.1, localhost or ::1")
-      ->check([](const std::string& text) {
-        return http::IsLoopbackHost(text) ? std::string()
-                                          : "'" + text + "' is not this machine's loopback";
-      })
+      ->add_option("--host", serve->host,
+                   "address to listen on; one that other machines reach takes tokens, and TLS or "
+                   "--behind-proxy")
       ->capture_default_str();
+  AddAccessOptions(*command, *serve);
   command->add_option("--log-level", serve->log_level, "debug, info, warning, error or off")
       ->check([](const std::string& text) {
         try {

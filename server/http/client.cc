@@ -77,6 +77,12 @@ httplib::Request ToHttplib(const ClientRequest& request) {
     case httplib::Error::ConnectionTimeout:
     case httplib::Error::BindIPAddress:
       throw NoServerError(Code::kUnavailable, "no Lares server answers at " + base_url);
+    case httplib::Error::SSLConnection:
+    case httplib::Error::SSLLoadingCerts:
+    case httplib::Error::SSLServerVerification:
+      throw Error(Code::kForbidden, "the server at " + base_url +
+                                        " does not prove to be who it says it is, or speaks no TLS")
+          .WithHint("--ca FILE (or LARES_CA) names the certificates that may vouch for it");
     case httplib::Error::Read:
       throw Error(Code::kIo,
                   "the server at " + base_url + " closed the connection or did not answer in time");
@@ -89,25 +95,33 @@ httplib::Request ToHttplib(const ClientRequest& request) {
 }  // namespace
 
 struct Client::State {
-  std::string base_url;
   BaseUrl address;
+  std::string base_url;
+  std::string token;
   httplib::Client client;
 
   explicit State(const std::string& url)
-      : address(ParseBaseUrl(url)), client(address.host, address.port) {
-    base_url = FormatBaseUrl(address);
-  }
+      : address(ParseBaseUrl(url)),
+        base_url(FormatBaseUrl(address)),
+        client(address.tls ? httplib::Client(base_url)
+                           : httplib::Client(address.host, address.port)) {}
 };
 
-Client::Client(const std::string& base_url, std::chrono::seconds answer_time)
+Client::Client(const std::string& base_url, const ClientOptions& options)
     : state_(std::make_unique<State>(base_url)) {
   httplib::Client& client = state_->client;
   client.set_tcp_nodelay(true);
   client.set_keep_alive(true);
   client.set_url_encode(false);
   client.set_connection_timeout(5);
-  client.set_read_timeout(answer_time.count());
+  client.set_read_timeout(options.answer_time.count());
   client.set_write_timeout(60);
+  state_->token = options.token;
+  if (options.ca_file.empty()) return;
+  if (!std::filesystem::is_regular_file(options.ca_file)) {
+    throw Error(Code::kInvalid, "'" + options.ca_file.string() + "' is no file of certificates");
+  }
+  client.set_ca_cert_path(options.ca_file.c_str());
 }
 
 Client::~Client() = default;
@@ -116,7 +130,8 @@ const std::string& Client::base_url() const { return state_->base_url; }
 
 ClientResponse Client::Send(const ClientRequest& request, const Transfer& transfer) {
   httplib::Request to = ToHttplib(request);
-  to.set_header("Host", FormatBaseUrl(state_->address).substr(7));
+  to.set_header("Host", state_->base_url.substr(state_->base_url.find("//") + 2));
+  if (!state_->token.empty()) to.set_header("Authorization", "Bearer " + state_->token);
   // Exceptions must not cross httplib: they are kept and rethrown.
   std::exception_ptr fault;
   const auto guarded = [&fault](auto&& work) {

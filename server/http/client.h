@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -45,12 +46,18 @@ class NoServerError : public Error {
   using Error::Error;
 };
 
+struct ClientOptions {
+  std::chrono::seconds answer_time{300};
+  std::string token;  // "" none; sent as Authorization: Bearer
+  std::filesystem::path
+      ca_file;  // PEM of those who may vouch for an https server; "": the system's
+};
+
 // One connection, kept open. Not thread-safe.
 class Client {
  public:
-  // Throws kInvalid for a malformed address.
-  explicit Client(const std::string& base_url,
-                  std::chrono::seconds answer_time = std::chrono::seconds(300));
+  // Throws kInvalid for a malformed address, or a CA file that cannot be read.
+  explicit Client(const std::string& base_url, const ClientOptions& options = {});
   ~Client();
 
   // Any status is an answer. Throws NoServerError, kIo (broken connection), kTimeout, kTooLarge

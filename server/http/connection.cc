@@ -9,6 +9,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "server/http/header_check.h"
+
 namespace lares::http {
 namespace {
 
@@ -20,15 +22,93 @@ constexpr std::string_view kHeaderEnd = "\r\n\r\n";
 
 }  // namespace
 
-Connection::Connection(int fd, std::string remote, const ConnectionLimits& limits)
-    : fd_(fd), remote_(std::move(remote)), limits_(limits), patience_(limits.stall_time) {}
+Connection::Connection(int fd, std::string remote, const ConnectionLimits& limits,
+                       LongTransfers* slow_readers, std::unique_ptr<TlsSession> tls)
+    : fd_(fd),
+      remote_(std::move(remote)),
+      limits_(limits),
+      slow_readers_(slow_readers),
+      tls_(std::move(tls)),
+      patience_(limits.stall_time) {}
 
-Connection::~Connection() { ::close(fd_); }
+Connection::~Connection() {
+  if (tls_ != nullptr) tls_->Close();
+  ::close(fd_);
+}
+
+long Connection::Judge(const TlsResult& result) {
+  switch (result.kind) {
+    case TlsResult::Kind::kMoved:
+      return static_cast<long>(result.bytes);
+    case TlsResult::Kind::kEnd:
+      return 0;
+    case TlsResult::Kind::kWantsRead:
+    case TlsResult::Kind::kWantsWrite:
+      awaited_ = result.kind == TlsResult::Kind::kWantsRead ? POLLIN : POLLOUT;
+      errno = EAGAIN;
+      return -1;
+    case TlsResult::Kind::kFailed:
+      break;
+  }
+  errno = ECONNRESET;
+  return -1;
+}
+
+long Connection::Receive(char* bytes, std::size_t size) {
+  if (tls_ != nullptr) return Judge(tls_->Read(bytes, size));
+  awaited_ = POLLIN;
+  return ::recv(fd_, bytes, size, MSG_DONTWAIT);
+}
+
+long Connection::Send(const char* bytes, std::size_t size) {
+  if (tls_ != nullptr) return Judge(tls_->Write(bytes, size));
+  awaited_ = POLLOUT;
+  return ::send(fd_, bytes, size, MSG_DONTWAIT | MSG_NOSIGNAL);
+}
+
+long Connection::SendNow(std::string_view bytes) {
+  std::size_t sent_bytes = 0;
+  while (sent_bytes < bytes.size()) {
+    const long sent = Send(bytes.data() + sent_bytes, bytes.size() - sent_bytes);
+    if (sent > 0) {
+      sent_bytes += static_cast<std::size_t>(sent);
+    } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
+      break;
+    } else if (errno != EINTR) {
+      return -1;
+    }
+  }
+  return static_cast<long>(sent_bytes);
+}
+
+void Connection::FinishSending() noexcept {
+  if (tls_ != nullptr) tls_->Close();
+  ::shutdown(fd_, SHUT_WR);
+}
+
+// False when the connection is of no use; else `is_open` tells whether it is done.
+bool Connection::ShakeHands() {
+  const TlsResult result = tls_->Handshake();
+  wants_room_ = result.kind == TlsResult::Kind::kWantsWrite;
+  return result.kind == TlsResult::Kind::kMoved || result.kind == TlsResult::Kind::kWantsRead ||
+         wants_room_;
+}
+
+// Whether the body is there too, or none that is waited for.
+bool Connection::HasBody(std::size_t header_end) const {
+  const std::size_t end = header_end + kHeaderEnd.size();
+  const std::size_t length = AwaitedLength(std::string_view(input_).substr(0, end));
+  return length > limits_.max_gathered_bytes || input_.size() - end >= length;
+}
 
 Connection::Arrived Connection::Fill() {
   if (taken_ > 0) {
     input_.erase(0, taken_);
     taken_ = scanned_ = 0;
+  }
+  if (tls_ != nullptr && !tls_->is_open()) {
+    if (!ShakeHands()) return Arrived::kClosed;
+    if (!tls_->is_open()) return Arrived::kPart;
   }
   std::array<char, 16 * 1024> piece;
   while (true) {
@@ -38,16 +118,18 @@ Connection::Arrived Connection::Fill() {
     if (std::min(end, input_.size()) > limits_.max_header_bytes) return Arrived::kTooLarge;
     if (end != std::string::npos) {
       scanned_ = end;
-      return Arrived::kHeader;
+      if (HasBody(end)) return Arrived::kHeader;
     }
-    const ssize_t got = ::recv(fd_, piece.data(), piece.size(), MSG_DONTWAIT);
+    const long got = Receive(piece.data(), piece.size());
     if (got > 0) {
       input_.append(piece.data(), static_cast<std::size_t>(got));
     } else if (got < 0 && errno == EINTR) {
       continue;
+    } else if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
+      return Arrived::kPart;
     } else {
-      return got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK) ? Arrived::kPart
-                                                                  : Arrived::kClosed;
+      // A peer that has finished in the middle of its body is told so.
+      return got == 0 && end != std::string::npos ? Arrived::kHeader : Arrived::kClosed;
     }
   }
 }
@@ -64,11 +146,12 @@ void Connection::PutBack(std::string header) { input_.insert(0, header); }
 
 void Connection::BeginRequest() {
   bytes_in_ = bytes_out_ = moved_ = 0;
+  is_long_ = false;
   waited_ = {};
 }
 
-bool Connection::Wait(short events, std::chrono::milliseconds time) {
-  pollfd waiting{fd_, events, 0};
+bool Connection::Wait(std::chrono::milliseconds time) {
+  pollfd waiting{fd_, awaited_, 0};
   const auto start = std::chrono::steady_clock::now();
   int ready = -1;
   do {
@@ -77,6 +160,15 @@ bool Connection::Wait(short events, std::chrono::milliseconds time) {
   waited_ += std::chrono::steady_clock::now() - start;
   if (ready == 0) stalled_ = true;
   return ready > 0;
+}
+
+// Slow readers of short answers must not hold every thread: beyond their places they are given up.
+bool Connection::WaitForRoom() {
+  if (is_long_ || slow_readers_ == nullptr) return Wait(limits_.stall_time);
+  if (!slow_readers_->TryBegin()) return false;
+  const bool has_room = Wait(limits_.stall_time);
+  slow_readers_->End();
+  return has_room;
 }
 
 bool Connection::TooSlow() {
@@ -99,18 +191,18 @@ long Connection::Read(char* bytes, std::size_t size) {
     if (!Flush()) return -1;  // the peer may be waiting for what we said (100 Continue)
     input_.resize(kReadBytes);
     taken_ = 0;
-    ssize_t got = -1;
+    long got = -1;
     while (got < 0) {
-      got = ::recv(fd_, input_.data(), input_.size(), MSG_DONTWAIT);
+      got = Receive(input_.data(), input_.size());
       if (got >= 0 || errno == EINTR) continue;
-      if ((errno != EAGAIN && errno != EWOULDBLOCK) || !Wait(POLLIN, patience_)) break;
+      if ((errno != EAGAIN && errno != EWOULDBLOCK) || !Wait(patience_)) break;
     }
-    input_.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+    input_.resize(static_cast<std::size_t>(std::max<long>(got, 0)));
     scanned_ = 0;
     moved_ += input_.size();
     if (got <= 0) {
       read_failed_ = true;
-      return static_cast<long>(got);
+      return got;
     }
   }
   const std::size_t count = std::min(size, input_.size() - taken_);
@@ -129,12 +221,12 @@ bool Connection::Write(std::string_view bytes) {
 bool Connection::Flush() {
   std::string_view rest = output_;
   while (!rest.empty() && !write_failed_) {
-    const ssize_t sent = ::send(fd_, rest.data(), rest.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+    const long sent = Send(rest.data(), rest.size());
     if (sent >= 0) {
       rest.remove_prefix(static_cast<std::size_t>(sent));
       moved_ += static_cast<std::size_t>(sent);
     } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
-      write_failed_ = TooSlow() || !Wait(POLLOUT, limits_.stall_time);
+      write_failed_ = TooSlow() || !WaitForRoom();
     } else if (errno != EINTR) {
       write_failed_ = true;
     }
@@ -145,7 +237,13 @@ bool Connection::Flush() {
 
 void Connection::Linger(std::uint64_t bytes) {
   Flush();
-  ::shutdown(fd_, SHUT_WR);
+  FinishSending();
+  if (slow_readers_ != nullptr && !slow_readers_->TryBegin()) return;
+  TakeRest(bytes);
+  if (slow_readers_ != nullptr) slow_readers_->End();
+}
+
+void Connection::TakeRest(std::uint64_t bytes) {
   patience_ = std::min(patience_, kLingerTime);
   const auto start = std::chrono::steady_clock::now();
   std::array<char, 16 * 1024> piece;

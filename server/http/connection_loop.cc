@@ -8,6 +8,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <condition_variable>
@@ -39,8 +40,10 @@ struct Slot {
   std::shared_ptr<EventChannel> channel;
   std::shared_ptr<void> place;           // of an event stream
   std::optional<std::stop_source> gone;  // of a busy connection whose peer is watched
+  std::string peer;                      // its address
   bool busy = false;
   bool header_begun = false;
+  bool has_served = false;  // a request was answered
   Clock::time_point parked_at{};
   Clock::time_point deadline{};
 };
@@ -62,6 +65,8 @@ std::string RemoteAddress(const sockaddr_storage& address) {
 struct ConnectionLoop::State {
   LoopOptions options;
   LoopHandlers handlers;
+  const TlsContext* tls = nullptr;
+  std::unique_ptr<LongTransfers> slow_readers;
   int listener = -1;
   int epoll = -1;
   int stop_event = -1;
@@ -71,6 +76,7 @@ struct ConnectionLoop::State {
   std::mutex mutex;  // of everything below
   std::condition_variable changed;
   std::unordered_map<std::uint64_t, Slot> slots;
+  std::unordered_map<std::string, std::size_t> of_peer;  // connections by address
   std::uint64_t next_id = 2;
   std::size_t busy = 0;
 
@@ -88,22 +94,27 @@ struct ConnectionLoop::State {
   void Adopt(int fd, const sockaddr_storage& address);
   void Handle(std::uint64_t id, std::uint32_t events);
   void HandleChannel(std::uint64_t id, EventChannel& channel, std::uint32_t events);
-  Served ServeWhatArrived(Connection& connection, bool& header_begun);
+  Served ServeWhatArrived(Connection& connection, bool& header_begun, bool& has_served);
   std::stop_token WatchPeer(std::uint64_t id);
   void HandOver(std::uint64_t id, Served served);
-  void Park(std::uint64_t id, bool header_begun);
+  void Park(std::uint64_t id, bool header_begun, bool served);
   void Close(std::uint64_t id);
-  void CloseIdlest();
+  using Slots = std::unordered_map<std::uint64_t, Slot>;
+  Slots::iterator Erase(Slots::iterator slot);
+  bool CloseIdlest(const std::string* peer = nullptr);
   void CloseExpired();
   void CloseParked();
   void SendRefusal(Connection& connection, const std::string& problem_code) const;
 };
 
-ConnectionLoop::ConnectionLoop(int listener, const LoopOptions& options, LoopHandlers handlers)
+ConnectionLoop::ConnectionLoop(int listener, const LoopOptions& options, LoopHandlers handlers,
+                               const TlsContext* tls)
     : state_(std::make_unique<State>()) {
   State& state = *state_;
   state.options = options;
   state.handlers = std::move(handlers);
+  state.tls = tls;
+  state.slow_readers = std::make_unique<LongTransfers>(std::max(1, options.threads / 4));
   state.listener = listener;
   state.epoll = ::epoll_create1(EPOLL_CLOEXEC);
   state.stop_event = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
@@ -200,13 +211,28 @@ void ConnectionLoop::State::Adopt(int fd, const sockaddr_storage& address) {
   const int on = 1;
   ::setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
   Slot slot;
-  slot.connection = std::make_unique<Connection>(fd, RemoteAddress(address), options.limits);
+  const std::string peer = RemoteAddress(address);
+  std::unique_ptr<TlsSession> session;
+  try {
+    if (tls != nullptr) session = tls->Accept(fd);
+  } catch (...) {
+    ::close(fd);
+    throw;
+  }
+  slot.connection = std::make_unique<Connection>(fd, peer, options.limits, slow_readers.get(),
+                                                 std::move(session));
+  slot.peer = peer;
   slot.parked_at = Clock::now();
-  slot.deadline = slot.parked_at + options.limits.idle_time;
+  // A handshake has to come as soon as a header that has begun.
+  slot.deadline =
+      slot.parked_at + (tls != nullptr ? options.limits.header_time : options.limits.idle_time);
   const std::lock_guard lock(mutex);
   if (stopping) return;
+  const std::size_t most = options.max_connections_per_peer;
+  if (most > 0 && of_peer[peer] >= most && !CloseIdlest(&peer)) return;
   if (slots.size() >= options.max_connections) CloseIdlest();
   const std::uint64_t id = next_id++;
+  ++of_peer[peer];
   slot.connection->SetWatch([this, id] { return WatchPeer(id); });
   slots.emplace(id, std::move(slot));
   Watch(EPOLL_CTL_ADD, fd, id, EPOLLIN | EPOLLRDHUP | EPOLLONESHOT);
@@ -238,11 +264,12 @@ void ConnectionLoop::State::Handle(std::uint64_t id, std::uint32_t events) {
     if (gone && (events & kPeerGone) != 0) gone->request_stop();
     return;
   }
-  Served served = ServeWhatArrived(*connection, header_begun);
+  bool has_served = false;
+  Served served = ServeWhatArrived(*connection, header_begun, has_served);
   if (served.subscribe) {
     HandOver(id, std::move(served));
   } else if (served.keep) {
-    Park(id, header_begun);
+    Park(id, header_begun, has_served);
   } else {
     Close(id);
   }
@@ -289,7 +316,7 @@ void ConnectionLoop::State::HandOver(std::uint64_t id, Served served) {
     changed.notify_all();
     if (stopping) {
       channel->End();
-      slots.erase(id);
+      Erase(slots.find(id));
       return;
     }
   }
@@ -302,7 +329,8 @@ void ConnectionLoop::State::HandOver(std::uint64_t id, Served served) {
 }
 
 // Kept when the connection waits for more.
-Served ConnectionLoop::State::ServeWhatArrived(Connection& connection, bool& header_begun) {
+Served ConnectionLoop::State::ServeWhatArrived(Connection& connection, bool& header_begun,
+                                               bool& has_served) {
   while (true) {
     switch (connection.Fill()) {
       case Connection::Arrived::kClosed:
@@ -317,6 +345,7 @@ Served ConnectionLoop::State::ServeWhatArrived(Connection& connection, bool& hea
         return {!stopping, {}, false, {}};
       case Connection::Arrived::kHeader: {
         header_begun = false;
+        has_served = true;
         connection.BeginRequest();
         Served served = handlers.serve(connection, stopping);
         if (served.subscribe) return served;
@@ -326,30 +355,42 @@ Served ConnectionLoop::State::ServeWhatArrived(Connection& connection, bool& hea
   }
 }
 
-void ConnectionLoop::State::Park(std::uint64_t id, bool header_begun) {
+ConnectionLoop::State::Slots::iterator ConnectionLoop::State::Erase(Slots::iterator slot) {
+  const auto peer = of_peer.find(slot->second.peer);
+  if (peer != of_peer.end() && --peer->second == 0) of_peer.erase(peer);
+  return slots.erase(slot);
+}
+
+void ConnectionLoop::State::Park(std::uint64_t id, bool header_begun, bool served) {
   const std::lock_guard lock(mutex);
   const auto found = slots.find(id);
   if (found == slots.end()) return;
   Slot& slot = found->second;
   slot.gone.reset();
   if (stopping) {
-    slots.erase(found);
+    Erase(found);
     --busy;
     changed.notify_all();
     return;
   }
   const Clock::time_point now = Clock::now();
-  // A header that dribbles in keeps the deadline that it got with its first byte.
-  if (!header_begun) {
+  // A header that dribbles in keeps the deadline that it got with its first byte, and a handshake
+  // that of its connection.
+  const bool is_open = slot.connection->is_open();
+  if (is_open && !header_begun) {
     slot.deadline = now + options.limits.idle_time;
-  } else if (!slot.header_begun) {
+  } else if (is_open && (!slot.header_begun || served)) {
     slot.deadline = now + options.limits.header_time;
   }
   slot.header_begun = header_begun;
-  slot.parked_at = now;
+  slot.has_served = slot.has_served || served;
+  // Who has asked something is idle since then; who has not, since it came.
+  if (served) slot.parked_at = now;
   slot.busy = false;
   --busy;
-  Watch(EPOLL_CTL_MOD, slot.connection->fd(), id, EPOLLIN | EPOLLRDHUP | EPOLLONESHOT);
+  const std::uint32_t awaited =
+      slot.connection->wants_room() ? std::uint32_t{EPOLLOUT} : std::uint32_t{EPOLLIN};
+  Watch(EPOLL_CTL_MOD, slot.connection->fd(), id, awaited | EPOLLRDHUP | EPOLLONESHOT);
 }
 
 void ConnectionLoop::State::Close(std::uint64_t id) {
@@ -357,24 +398,30 @@ void ConnectionLoop::State::Close(std::uint64_t id) {
   const auto found = slots.find(id);
   if (found == slots.end()) return;
   if (found->second.busy) --busy;
-  slots.erase(found);
+  Erase(found);
   changed.notify_all();
 }
 
-void ConnectionLoop::State::CloseIdlest() {
+// Before those that have asked something go those that have not: who keeps asking is not pushed out
+// by who only connects. False when there is none to close.
+bool ConnectionLoop::State::CloseIdlest(const std::string* peer) {
+  const auto rank = [](const Slot& slot) { return std::pair(slot.has_served, slot.parked_at); };
   auto idlest = slots.end();
   for (auto slot = slots.begin(); slot != slots.end(); ++slot) {
     if (slot->second.busy || slot->second.channel != nullptr) continue;
-    if (idlest == slots.end() || slot->second.parked_at < idlest->second.parked_at) idlest = slot;
+    if (peer != nullptr && slot->second.peer != *peer) continue;
+    if (idlest == slots.end() || rank(slot->second) < rank(idlest->second)) idlest = slot;
   }
-  if (idlest != slots.end()) slots.erase(idlest);
+  if (idlest == slots.end()) return false;
+  Erase(idlest);
+  return true;
 }
 
 void ConnectionLoop::State::CloseExpired() {
   const Clock::time_point now = Clock::now();
   for (auto slot = slots.begin(); slot != slots.end();) {
     if (EventChannel* channel = slot->second.channel.get()) {
-      slot = channel->Tick(now) ? std::next(slot) : slots.erase(slot);
+      slot = channel->Tick(now) ? std::next(slot) : Erase(slot);
       continue;
     }
     if (slot->second.busy || slot->second.deadline > now) {
@@ -382,7 +429,7 @@ void ConnectionLoop::State::CloseExpired() {
       continue;
     }
     if (slot->second.header_begun) SendRefusal(*slot->second.connection, "request-timeout");
-    slot = slots.erase(slot);
+    slot = Erase(slot);
   }
 }
 
@@ -390,14 +437,14 @@ void ConnectionLoop::State::CloseParked() {
   for (auto& [id, slot] : slots) {
     if (slot.channel != nullptr) slot.channel->End();
   }
-  std::erase_if(slots, [](const auto& entry) { return !entry.second.busy; });
+  for (auto slot = slots.begin(); slot != slots.end();) {
+    slot = slot->second.busy ? std::next(slot) : Erase(slot);
+  }
 }
 
 void ConnectionLoop::State::SendRefusal(Connection& connection,
                                         const std::string& problem_code) const {
-  const std::string bytes = handlers.refusal(problem_code);
-  if (::send(connection.fd(), bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL) < 0) return;
-  ::shutdown(connection.fd(), SHUT_WR);
+  if (connection.SendNow(handlers.refusal(problem_code)) >= 0) connection.FinishSending();
 }
 
 }  // namespace lares::http

@@ -13,9 +13,12 @@
 namespace lares::http {
 
 struct LoopOptions {
-  int threads = 64;                    // at most half of them in long transfers
-  std::size_t max_connections = 1024;  // beyond it the one idle for longest is closed
-  int max_event_streams = 256;         // at most half of the connections
+  int threads = 64;  // at most half of them in long transfers
+  // Beyond it one is closed: the oldest that has not asked anything yet, else the one idle for
+  // longest.
+  std::size_t max_connections = 1024;
+  std::size_t max_connections_per_peer = 0;  // of one address, likewise; 0: no other bound
+  int max_event_streams = 256;               // at most half of the connections
   ConnectionLimits limits;
   ChannelLimits channels;  // of event streams
 };
@@ -42,7 +45,9 @@ struct LoopHandlers {
 // thread, and are closed when their time is over. Takes over `listener`, a listening socket.
 class ConnectionLoop {
  public:
-  ConnectionLoop(int listener, const LoopOptions& options, LoopHandlers handlers);
+  // `tls` null: none. It must outlive the loop.
+  ConnectionLoop(int listener, const LoopOptions& options, LoopHandlers handlers,
+                 const TlsContext* tls = nullptr);
   ~ConnectionLoop();  // stops at once
 
   // Refuses new connections, closes idle ones, ends event streams, and waits for running requests

@@ -2,7 +2,6 @@
 
 #include <sys/socket.h>
 
-#include <cerrno>
 #include <cstdio>
 
 namespace lares::http {
@@ -81,21 +80,10 @@ void EventChannel::Begin(std::string_view text) {
 }
 
 void EventChannel::Push() {
-  std::size_t sent_bytes = 0;
-  while (sent_bytes < waiting_.size()) {
-    const ssize_t sent = ::send(connection_->fd(), waiting_.data() + sent_bytes,
-                                waiting_.size() - sent_bytes, MSG_DONTWAIT | MSG_NOSIGNAL);
-    if (sent > 0) {
-      sent_bytes += static_cast<std::size_t>(sent);
-    } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
-      break;
-    } else if (errno != EINTR) {
-      Forget();
-      return;
-    }
-  }
+  const long sent_bytes = connection_->SendNow(waiting_);
+  if (sent_bytes < 0) return Forget();
   if (sent_bytes > 0) moved_at_ = std::chrono::steady_clock::now();
-  waiting_.erase(0, sent_bytes);
+  waiting_.erase(0, static_cast<std::size_t>(sent_bytes));
 }
 
 // The descriptor stays open until nobody holds the channel: its number must not come to mean
@@ -104,6 +92,7 @@ void EventChannel::Forget() {
   gone_ = true;
   waiting_ = std::string();
   arm_ = nullptr;
+  connection_->FinishSending();
   ::shutdown(connection_->fd(), SHUT_RDWR);
 }
 

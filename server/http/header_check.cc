@@ -1,6 +1,7 @@
 #include "server/http/header_check.h"
 
 #include <algorithm>
+#include <charconv>
 #include <string>
 
 #include "base/text.h"
@@ -83,6 +84,19 @@ void CheckRawHeader(std::string_view header) {
     if (!first) CheckField(line, framing);
   }
   if (framing.chunked && framing.length) Refuse("the request states the length of its body twice");
+}
+
+std::size_t AwaitedLength(std::string_view header) {
+  static constexpr std::string_view kLength = "\r\ncontent-length:";
+  const std::string lowered = ToLower(header);
+  const std::size_t at = lowered.find(kLength);
+  if (at == std::string::npos || lowered.find("\r\nexpect:") != std::string::npos) return 0;
+  const std::size_t from = at + kLength.size();
+  const std::string_view value =
+      Trim(std::string_view(lowered).substr(from, lowered.find("\r\n", from) - from));
+  std::size_t length = 0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), length);
+  return error == std::errc() && end == value.data() + value.size() ? length : 0;
 }
 
 bool ChunkedBodyCheck::Accept(std::string_view bytes) {

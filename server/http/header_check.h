@@ -2,6 +2,7 @@
 // disagree on where a request ends.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -10,6 +11,11 @@ namespace lares::http {
 // For the request line, all fields and the empty line. Throws a ProblemError ("bad-request") for
 // anything that is no field of RFC 9112, and for a body whose length is stated twice or unreadably.
 void CheckRawHeader(std::string_view header);
+
+// How long the body is whose client sends it without waiting to be asked, as a header with its
+// empty line announces it. 0 for none, for one of unknown length, and for what cannot be read: the
+// header is not checked here.
+std::size_t AwaitedLength(std::string_view header);
 
 // Follows a chunked body (without trailers) byte by byte.
 class ChunkedBodyCheck {

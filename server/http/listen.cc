@@ -22,17 +22,12 @@ struct Address {
   socklen_t length = 0;
 };
 
-Address LoopbackAddress(const std::string& host, int port) {
-  if (!IsLoopbackHost(host)) {
-    throw Error(Code::kForbidden, "'" + host + "' is not this machine's loopback: Lares serves " +
-                                      "only programs of this machine")
-        .WithHint("use 127.0.0.1, localhost or ::1");
-  }
+Address AddressOf(const std::string& host, int port) {
   if (port < 0 || port > 65535) {
     throw Error(Code::kInvalid, std::to_string(port) + " is no port: 0 to 65535");
   }
   std::string name = ToLower(host) == "localhost" ? "127.0.0.1" : host;
-  if (name.starts_with('[')) name = name.substr(1, name.size() - 2);
+  if (name.starts_with('[') && name.ends_with(']')) name = name.substr(1, name.size() - 2);
   Address address;
   auto& ipv4 = reinterpret_cast<sockaddr_in&>(address.storage);
   if (::inet_pton(AF_INET, name.c_str(), &ipv4.sin_addr) == 1) {
@@ -42,7 +37,10 @@ Address LoopbackAddress(const std::string& host, int port) {
     return address;
   }
   auto& ipv6 = reinterpret_cast<sockaddr_in6&>(address.storage);
-  ::inet_pton(AF_INET6, name.c_str(), &ipv6.sin6_addr);
+  if (::inet_pton(AF_INET6, name.c_str(), &ipv6.sin6_addr) != 1) {
+    throw Error(Code::kInvalid, "'" + host + "' is no address to listen on")
+        .WithHint("give it in digits, as 192.168.1.5, or 0.0.0.0 for every one of this machine");
+  }
   ipv6.sin6_family = AF_INET6;
   ipv6.sin6_port = htons(static_cast<std::uint16_t>(port));
   address.length = sizeof(sockaddr_in6);
@@ -64,7 +62,17 @@ Address LoopbackAddress(const std::string& host, int port) {
 }  // namespace
 
 Listener ListenOnLoopback(const std::string& host, int port) {
-  Address address = LoopbackAddress(host, port);
+  if (!IsLoopbackHost(host)) {
+    throw Error(Code::kForbidden, "'" + host + "' is not this machine's loopback")
+        .WithHint(
+            "use 127.0.0.1, localhost or ::1, or see lares serve --help for what serving "
+            "other machines takes");
+  }
+  return ListenOn(host, port);
+}
+
+Listener ListenOn(const std::string& host, int port) {
+  Address address = AddressOf(host, port);
   auto* const raw = reinterpret_cast<sockaddr*>(&address.storage);
   const int descriptor =
       ::socket(address.storage.ss_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);

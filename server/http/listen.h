@@ -1,4 +1,4 @@
-// A listening socket on this machine's loopback.
+// A listening socket of this machine.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@ struct Listener {
   int port = 0;
 };
 
-// Throws as Server does.
+// Throw as Server does. `host` is localhost or an address in digits, IPv6 with or without brackets.
 Listener ListenOnLoopback(const std::string& host, int port);
+Listener ListenOn(const std::string& host, int port);  // any address: 0.0.0.0 and :: are all
 
 }  // namespace lares::http

@@ -14,6 +14,10 @@
 #include <variant>
 #include <vector>
 
+namespace lares::access {
+struct Grant;
+}
+
 namespace lares::http {
 
 // Field names compare without case; order and repetition are kept.
@@ -58,6 +62,11 @@ struct Request {
   std::function<std::stop_token()> watch_client;
   // The same; a token that never stops where there is no connection.
   std::stop_token WatchClient() const { return watch_client ? watch_client() : std::stop_token(); }
+
+  // Who asks, as the service's gatekeeper found out; null without one.
+  std::shared_ptr<const access::Grant> grant;
+  // Held until the request is answered: its place among those that may run at once.
+  std::shared_ptr<void> place;
 
   // The parameter's value; nothing when absent.
   std::optional<std::string> Query(const std::string& name) const;

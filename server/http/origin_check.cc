@@ -32,6 +32,17 @@ std::string HostOf(std::string_view authority) {
   return port_ok ? ToLower(host) : "";
 }
 
+bool IsOurs(const std::string& host, const OriginRules& rules) {
+  if (IsLoopbackHost(host)) return true;
+  return std::any_of(rules.hosts.begin(), rules.hosts.end(),
+                     [&](const std::string& name) { return ToLower(name) == host; });
+}
+
+bool IsSameOrigin(const std::string& origin, const std::string& host, const OriginRules& rules) {
+  if (rules.either_scheme) return origin == "http://" + host || origin == "https://" + host;
+  return origin == (rules.tls ? "https://" : "http://") + host;
+}
+
 bool ChangesNothing(const std::string& method) { return method == "GET" || method == "HEAD"; }
 
 }  // namespace
@@ -46,18 +57,18 @@ bool IsLoopbackHost(std::string_view host) {
   return ::inet_pton(AF_INET6, name.c_str(), &ipv6) == 1 && IN6_IS_ADDR_LOOPBACK(&ipv6);
 }
 
-void CheckOrigin(const Request& request) {
+void CheckOrigin(const Request& request, const OriginRules& rules) {
   const auto& fields = request.headers.all();
   const auto hosts = std::count_if(fields.begin(), fields.end(), [](const auto& field) {
     return ToLower(field.first) == "host";
   });
   if (hosts != 1) throw ProblemError("bad-request", "a request has exactly one Host header");
   const std::string_view host = Trim(request.headers.Get("Host"));
-  if (!IsLoopbackHost(HostOf(host))) {
-    throw Error(Code::kForbidden,
-                "this server answers to localhost, 127.0.0.1 and [::1] only, "
-                "not to '" +
-                    std::string(host) + "'");
+  if (!IsOurs(HostOf(host), rules)) {
+    std::string names = rules.hosts.empty() ? "" : Join(rules.hosts, ", ") + ", ";
+    throw Error(Code::kForbidden, "this server answers to " + names +
+                                      "localhost, 127.0.0.1 and [::1] only, not to '" +
+                                      std::string(host) + "'");
   }
   if (ChangesNothing(request.method)) return;
   const auto origins = std::count_if(fields.begin(), fields.end(), [](const auto& field) {
@@ -65,7 +76,7 @@ void CheckOrigin(const Request& request) {
   });
   if (origins > 1) throw Error(Code::kForbidden, "a request has at most one Origin header");
   if (const std::string* origin = request.headers.Find("Origin")) {
-    if (ToLower(Trim(*origin)) != "http://" + ToLower(host)) {
+    if (!IsSameOrigin(ToLower(Trim(*origin)), ToLower(host), rules)) {
       throw Error(Code::kForbidden, "a page of '" + *origin + "' may not change anything here");
     }
   }

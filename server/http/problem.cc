@@ -50,9 +50,20 @@ const std::vector<ProblemKind>& ProblemKinds() {
       {"uri-too-long", 414, "The address is too long"},
       {"range-not-satisfiable", 416, "The range lies outside of the content"},
       {"headers-too-large", 431, "The request's headers are too large"},
+      // Of access.
+      {"token-missing", 401, "A token is needed"},
+      {"token-invalid", 401, "That token is not known here"},
+      {"token-expired", 401, "The token has expired"},
+      {"token-revoked", 401, "The token was revoked"},
+      {"role-too-low", 403, "The token's role does not allow that"},
+      {"too-many-requests", 429, "The token asks more often than it may"},
+      {"too-many-bytes", 429, "The token has stored as much as it may today"},
+      {"too-many-queries", 429, "The token runs as many queries as it may at once"},
       // Of documents: well written, but not to be taken.
       {"foreign-term", 422, "It says new things about terms of others"},
       {"contradiction", 422, "It contradicts what is known"},
+      // Of versions.
+      {"merge-conflict", 409, "Both versions changed the same"},
       // Of plans: the question was understood, and the answer is no.
       {"not-feasible", 422, "The robot cannot do that"},
       {"choice-needed", 422, "A person has to choose"},

@@ -63,7 +63,11 @@ struct Exchange {
   Exchange(const Exchange&) = delete;
   Exchange& operator=(const Exchange&) = delete;
 
-  bool BeginLongTransfer() { return is_long = is_long || long_transfers.TryBegin(); }
+  bool BeginLongTransfer() {
+    is_long = is_long || long_transfers.TryBegin();
+    if (is_long) connection.MarkLong();
+    return is_long;
+  }
   bool BeginEventStream() {
     if (!event_streams.TryBegin()) return false;
     place = std::shared_ptr<void>(nullptr, [&streams = event_streams](void*) { streams.End(); });
@@ -193,8 +197,10 @@ void AdmitRequest(const Service& service, httplib::Request& from) {
   try {
     CheckHeader(from, exchange.request);
     exchange.admission = service.Admit(exchange.request);
+    // What is short came with the header, unless its client waits to be asked for it.
     const bool is_long = exchange.request.has_body &&
-                         exchange.request.content_length.value_or(UINT64_MAX) > kShortBody;
+                         (exchange.request.content_length.value_or(UINT64_MAX) > kShortBody ||
+                          from.has_header("Expect"));
     if (!exchange.admission.refusal && is_long && !exchange.BeginLongTransfer()) {
       exchange.admission.refusal = Service::Refuse(TooManyTransfers(), exchange.request.id);
     }
@@ -460,7 +466,7 @@ std::string RawProblem(const ProblemError& error) {
 std::string RawRefusal(const std::string& problem_code) {
   return RawProblem(
       ProblemError(problem_code, problem_code == "request-timeout"
-                                     ? "the request's header did not arrive in time"
+                                     ? "the request did not arrive in time"
                                      : "the request's header is larger than allowed"));
 }
 
@@ -473,6 +479,7 @@ struct Server::State {
   std::unique_ptr<Engine> engine;
   std::unique_ptr<LongTransfers> long_transfers;
   std::unique_ptr<LongTransfers> event_streams;
+  std::unique_ptr<TlsContext> tls;
   std::unique_ptr<ConnectionLoop> loop;
 
   Served Serve(Connection& connection, bool closing) const;
@@ -547,21 +554,26 @@ Server::Server(std::shared_ptr<const Service> service, const ServerOptions& opti
       static_cast<int>(std::min<std::size_t>(options.loop.max_connections / 2, INT32_MAX));
   state.event_streams = std::make_unique<LongTransfers>(
       std::max(1, std::min(options.loop.max_event_streams, half_of_connections)));
-  const Listener listener = ListenOnLoopback(options.host, options.port);
+  if (options.tls) state.tls = std::make_unique<TlsContext>(*options.tls);
+  const Listener listener = options.beyond_loopback ? ListenOn(options.host, options.port)
+                                                    : ListenOnLoopback(options.host, options.port);
   state.port = listener.port;
   state.loop =
       std::make_unique<ConnectionLoop>(listener.descriptor, options.loop,
                                        LoopHandlers{[&state](Connection& connection, bool closing) {
                                                       return state.Serve(connection, closing);
                                                     },
-                                                    RawRefusal});
+                                                    RawRefusal},
+                                       state.tls.get());
 }
 
 Server::~Server() = default;
 
 int Server::port() const { return state_->port; }
 
-std::string Server::url() const { return FormatBaseUrl({state_->options.host, state_->port}); }
+std::string Server::url() const {
+  return FormatBaseUrl({state_->options.host, state_->port, state_->tls != nullptr});
+}
 
 bool Server::Stop(std::chrono::milliseconds grace) { return state_->loop->Stop(grace); }
 

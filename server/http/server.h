@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "server/http/connection_loop.h"
@@ -11,14 +12,19 @@
 namespace lares::http {
 
 struct ServerOptions {
-  std::string host = "127.0.0.1";  // a loopback name or address; anything else is refused
-  int port = 8080;                 // 0: any free one
+  std::string host = "127.0.0.1";  // a loopback name or address, unless `beyond_loopback`
+  // Other machines may be answered: `host` may be any address of this one. Who allows it sees to
+  // it that somebody asks for tokens, and that nobody can listen in.
+  bool beyond_loopback = false;
+  std::optional<TlsOptions> tls;
+  int port = 8080;  // 0: any free one
   LoopOptions loop;
   bool access_log = true;  // one line a request
 };
 
-// Serves from construction on. Throws kForbidden for a host that is not this machine's loopback,
-// kConflict when the port is taken, kIo for anything else the socket says.
+// Serves from construction on. Throws as TlsContext does, kForbidden for a host that is not this
+// machine's loopback (unless allowed), kInvalid for what is no address, kConflict when the port is
+// taken, kIo for anything else the socket says.
 class Server {
  public:
   Server(std::shared_ptr<const Service> service, const ServerOptions& options);

@@ -129,7 +129,7 @@ Service::Admission Service::Admit(Request& request) const {
   Admission admission;
   request.id = RequestId(request.headers.Get("X-Request-Id"));
   try {
-    CheckOrigin(request);
+    CheckOrigin(request, options_.origins);
     Router::Match match = router_.Find(request.method, request.path);
     if (match.route == nullptr && match.allow.empty()) {
       throw Error(Code::kNotFound, "there is no '" + request.path + "' here")
@@ -142,22 +142,30 @@ Service::Admission Service::Admit(Request& request) const {
     }
     admission.route = match.route;
     request.params = std::move(match.params);
+    if (options_.gatekeeper != nullptr) options_.gatekeeper->Admit(*match.route, request);
     CheckBody(*match.route, request);
   } catch (const std::exception& error) {
     admission.refusal = Refuse(error, request);
+    if (options_.gatekeeper != nullptr && request.grant != nullptr) {
+      options_.gatekeeper->Answered(*admission.route, request, *admission.refusal);
+    }
   }
   return admission;
 }
 
-Response Service::Run(const Route& route, const Request& request) const {
+Response Service::Run(const Route& route, Request& request) const {
   Response response;
   try {
+    if (options_.gatekeeper != nullptr) options_.gatekeeper->Begin(route, request);
     response = route.handler(request);
     ApplyConditions(request, response);
   } catch (const std::exception& error) {
     response = Refuse(error, request.id);
   }
   Finish(request, response);
+  if (options_.gatekeeper != nullptr && request.grant != nullptr) {
+    options_.gatekeeper->Answered(route, request, response);
+  }
   return response;
 }
 

@@ -6,16 +6,36 @@
 
 #include "server/http/message.h"
 #include "server/http/metrics.h"
+#include "server/http/origin_check.h"
 #include "server/http/router.h"
 
 namespace lares::http {
 
-// Answers a request whole: request id, Host and Origin, route, method, media type and length of
-// the body, the handler, faults as problem documents, If-None-Match, Range and HEAD.
+// Who may ask what. All members are thread-safe.
+class Gatekeeper {
+ public:
+  virtual ~Gatekeeper() = default;
+  // Before the body is read: fills in `grant` and `place`, or throws the refusal.
+  virtual void Admit(const Route& route, Request& request) = 0;
+  // Before the handler runs, with the body there to be read.
+  virtual void Begin(const Route& route, Request& request) = 0;
+  // After each answer to a request of a known grant, refusals included. Must not throw.
+  virtual void Answered(const Route& route, const Request& request,
+                        const Response& response) noexcept = 0;
+};
+
+struct ServiceOptions {
+  std::shared_ptr<Metrics> metrics = std::make_shared<Metrics>();
+  std::shared_ptr<Gatekeeper> gatekeeper;  // null: everybody may ask everything
+  OriginRules origins;
+};
+
+// Answers a request whole: request id, Host and Origin, route, method, who asks, media type and
+// length of the body, the handler, faults as problem documents, If-None-Match, Range and HEAD.
 class Service {
  public:
-  explicit Service(Router router, std::shared_ptr<Metrics> metrics = std::make_shared<Metrics>())
-      : router_(std::move(router)), metrics_(std::move(metrics)) {}
+  explicit Service(Router router, ServiceOptions options = {})
+      : router_(std::move(router)), options_(std::move(options)) {}
 
   // What can be said before the body is read: the route, or the refusal.
   struct Admission {
@@ -26,7 +46,7 @@ class Service {
   Admission Admit(Request& request) const;
 
   // Runs the route's handler. Never throws.
-  Response Run(const Route& route, const Request& request) const;
+  Response Run(const Route& route, Request& request) const;
 
   // The two together, for tests and anything else without a socket.
   Response Answer(Request request) const;
@@ -37,11 +57,11 @@ class Service {
   static Response Refuse(const std::exception& error, const Request& request);
 
   const Router& router() const { return router_; }
-  Metrics& metrics() const { return *metrics_; }
+  Metrics& metrics() const { return *options_.metrics; }
 
  private:
   Router router_;
-  std::shared_ptr<Metrics> metrics_;
+  ServiceOptions options_;
 };
 
 // A client's id when it is 1–128 of [A-Za-z0-9._:-], else a new one of ours.

@@ -90,10 +90,14 @@ BaseUrl ParseBaseUrl(std::string_view url) {
         .WithHint("write it as http://127.0.0.1:8080");
   };
   std::string_view rest = url;
-  if (!rest.starts_with("http://")) throw refuse("it does not begin with http://");
-  rest.remove_prefix(7);
-  if (rest.ends_with('/')) rest.remove_suffix(1);
   BaseUrl parsed;
+  parsed.tls = rest.starts_with("https://");
+  if (!parsed.tls && !rest.starts_with("http://")) {
+    throw refuse("it does not begin with http:// or https://");
+  }
+  rest.remove_prefix(parsed.tls ? 8 : 7);
+  if (parsed.tls) parsed.port = 443;
+  if (rest.ends_with('/')) rest.remove_suffix(1);
   if (rest.starts_with('[')) {
     const std::size_t close = rest.find(']');
     if (close == std::string_view::npos) throw refuse("']' is missing");
@@ -119,7 +123,8 @@ BaseUrl ParseBaseUrl(std::string_view url) {
 
 std::string FormatBaseUrl(const BaseUrl& url) {
   const bool ipv6 = url.host.find(':') != std::string::npos;
-  return "http://" + (ipv6 ? "[" + url.host + "]" : url.host) + ":" + std::to_string(url.port);
+  return std::string(url.tls ? "https://" : "http://") + (ipv6 ? "[" + url.host + "]" : url.host) +
+         ":" + std::to_string(url.port);
 }
 
 }  // namespace lares::http

@@ -18,12 +18,13 @@ std::optional<std::multimap<std::string, std::string>> ParseQuery(std::string_vi
 // "?a=1&b=x%20y", "" when empty.
 std::string FormatQuery(const std::multimap<std::string, std::string>& query);
 
-// "http://host:port" taken apart; IPv6 hosts without brackets.
+// "http://host:port" or "https://host:port" taken apart; IPv6 hosts without brackets.
 struct BaseUrl {
   std::string host;
-  int port = 80;
+  int port = 80;  // 443 for https
+  bool tls = false;
 };
-// Throws kInvalid for anything but http://host[:port][/].
+// Throws kInvalid for anything but http://host[:port][/] and https://host[:port][/].
 BaseUrl ParseBaseUrl(std::string_view url);
 // "http://127.0.0.1:8080", "http://[::1]:8080".
 std::string FormatBaseUrl(const BaseUrl& url);

@@ -11,6 +11,7 @@
 #include "reasoner/owl/materialise.h"
 #include "recipes/skill/skill_template.h"
 #include "server/knowledge/knowledge.h"
+#include "server/knowledge/model_description.h"
 #include "server/knowledge/named_place.h"
 #include "server/knowledge/quarantine.h"
 #include "server/knowledge/refusal.h"
@@ -141,26 +142,26 @@ json FilesOf(const PutRequest& request) {
   return files;
 }
 
-void UnderstandObjectModel(const store::Store& store, Incoming& incoming) {
-  const rdf::TermId provides =
-      incoming.view.dictionary().InternIri(std::string(rdf::kLares) + "providesModelFor");
-  for (const rdf::Triple& triple : incoming.graph.triples) {
-    if (triple.predicate != provides) continue;
-    const Resource model = Describe(incoming.view, triple.subject);
-    const Resource of = Describe(incoming.view, triple.object);
+void UnderstandObjectModel(const store::Store& store, const CatalogueState& catalogue,
+                           Incoming& incoming) {
+  try {
+    incoming.details.update(DescribeModels(catalogue, incoming.view, incoming.graph));
+  } catch (const Error& error) {
+    if (error.code() != Code::kInvalid || error.place()) throw;
+    Refuse(incoming, {error.what()});
+  }
+  for (const json& each : incoming.details["models"]) {
+    const Resource model = Describe(incoming.view, each["model"]["iri"].get<std::string>());
     AddNames(model, incoming.names);
     incoming.names.push_back({incoming.request.id, "id", model.iri});
-    incoming.details["models"].push_back({{"model", ToJson(model)}, {"class", ToJson(of)}});
   }
-  if (!incoming.details.contains("models")) {
-    throw Error(Code::kInvalid, "describes no object model: nothing has providesModelFor",
-                {incoming.source, 0, 0});
-  }
-  json files = FilesOf(incoming.request);
+  json files = DescribeModelFiles(store, incoming.request.files);
   if (files.empty()) {
     const auto before = store.FindDocument(DocumentKind::kObjectModel, incoming.request.id);
     if (before) files = json::parse(before->details_json).value("files", json::array());
   }
+  const json extents = ExtentsOf(incoming.details, files);
+  if (!extents.is_null()) incoming.details["extents"] = extents;
   incoming.details["files"] = files;
 }
 
@@ -343,7 +344,7 @@ PutAnswer Knowledge::Put(const PutRequest& original) {
       if (!request.files.empty()) incoming.details["files"] = FilesOf(request);
       break;
     default:
-      UnderstandObjectModel(state_->store, incoming);
+      UnderstandObjectModel(state_->store, *base, incoming);
       break;
   }
   incoming.details["statements"] = incoming.answer.statements;
@@ -360,6 +361,8 @@ PutAnswer Knowledge::Put(const PutRequest& original) {
 PutAnswer Knowledge::PutOntology(const PutRequest& request, const rdf::Graph& graph,
                                  const rdf::Document& content) {
   const std::lock_guard lock(state_->ontology_mutex);
+  const std::unique_ptr<store::Hold> among_servers = state_->store.HoldCatalogue();
+  state_->TakeOverCatalogue();
   std::map<std::string, rdf::Graph> next = state_->stored_graphs;
   next[graph.name] = graph;
   std::vector<rdf::Graph> stored;
@@ -391,6 +394,7 @@ PutAnswer Knowledge::PutOntology(const PutRequest& request, const rdf::Graph& gr
   incoming.details["statements"] = incoming.answer.statements;
   incoming.answer.document = Store(state_->store, incoming);
   ForgetKeptAside(state_->store, request.kind, request.id);
+  state_->taken_over[graph.name] = incoming.answer.document.version;
   state_->authority.Put(graph.name, claim, incoming.answer.document.received, request.editor);
   state_->stored_graphs = std::move(next);
   state_->Publish(std::move(catalogue));
@@ -411,8 +415,11 @@ void Knowledge::Remove(DocumentKind kind, const std::string& id) {
 
 void Knowledge::RemoveFromCatalogue(DocumentKind kind, const std::string& id) {
   const std::lock_guard lock(state_->ontology_mutex);
+  const std::unique_ptr<store::Hold> among_servers = state_->store.HoldCatalogue();
+  state_->TakeOverCatalogue();
   state_->store.DeleteDocument(kind, id);
   const std::string graph_name = GraphName(kind, id);
+  state_->taken_over.erase(graph_name);
   state_->stored_graphs.erase(graph_name);
   state_->authority.Remove(graph_name);
   std::vector<rdf::Graph> stored;

@@ -5,6 +5,7 @@
 #include "ontology/rdf/vocabulary.h"
 #include "ontology/rdf/writer.h"
 #include "server/knowledge/derived.h"
+#include "server/knowledge/environment_keys.h"
 #include "server/knowledge/knowledge.h"
 #include "server/knowledge/quarantine.h"
 #include "server/knowledge/refusal.h"
@@ -111,7 +112,9 @@ Knowledge::VersionAnswer Knowledge::PutVersion(const store::NewVersion& original
         if (rights.editor) stored.facts["editor"] = "true";
       }
     }
+    version.keys = KeysOf(view, answer.objects);
   }
+  if (!version.keys) version.keys = state_->KeysOfCarried(version);
   answer.version = state_->store.PutVersion(version);
   if (SemanticLayer(version.layers) != nullptr) {
     ForgetKeptAside(state_->store, QuarantineIdOfEnvironment(version.environment));
@@ -133,9 +136,13 @@ std::string Knowledge::RenderSemantic(const std::string& environment, int versio
     throw Error(Code::kNotFound, "version " + std::to_string(stored.number) + " of '" +
                                      environment + "' has no semantic layer");
   }
-  return rdf::WriteRdf(ReadStored(state_->store, state_->aliases, EnvironmentGraphName(environment),
-                                  layer->blob, layer->media_type, layer->file_name),
-                       format);
+  return rdf::WriteRdf(ReadSemantic(environment, *layer), format);
+}
+
+rdf::Document Knowledge::ReadSemantic(const std::string& environment,
+                                      const store::LayerInfo& layer) {
+  return ReadStored(state_->store, state_->aliases, EnvironmentGraphName(environment), layer.blob,
+                    layer.media_type, layer.file_name);
 }
 
 std::vector<semantic::MapObject> Knowledge::MapObjects(const std::string& environment,

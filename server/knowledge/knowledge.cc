@@ -65,28 +65,7 @@ Knowledge::Knowledge(store::Store& store, prolog::EnginePool& engines)
   state_->own =
       CloseOwnModules(state_->dictionary, LoadOwnModules(state_->aliases, *state_->dictionary));
   state_->authority.SetOwn(state_->own);
-  std::vector<rdf::Graph> stored;
-  std::vector<store::DocumentInfo> documents = store.ListDocuments(store::DocumentKind::kOntology);
-  for (store::DocumentInfo& skills : store.ListDocuments(store::DocumentKind::kSkillTemplate)) {
-    documents.push_back(std::move(skills));
-  }
-  for (const store::DocumentInfo& document : documents) {
-    const std::string name = GraphName(document.kind, document.id);
-    try {
-      const rdf::Document content = ReadStored(store, state_->aliases, name, document.blob,
-                                               document.media_type, document.file_name);
-      stored.push_back(rdf::MakeGraph(content, name, state_->aliases, *state_->dictionary));
-      state_->stored_graphs[name] = stored.back();
-      state_->authority.Put(
-          name, authority::MakeClaim(content, stored.back(), state_->aliases, *state_->dictionary),
-          store.DocumentLog(document.kind, document.id).back().received,
-          nlohmann::json::parse(document.details_json).value("editor", false));
-    } catch (const Error& error) {
-      // One document that cannot be read any more must not keep all others from being served.
-      state_->set_aside.push_back({document.id, "set aside: " + error.FullMessage(), 0});
-    }
-  }
-  state_->Publish(MakeCatalogue(state_->own, stored, 1, nullptr));
+  state_->TakeOverCatalogue();
 }
 
 Knowledge::~Knowledge() = default;
@@ -128,6 +107,8 @@ std::vector<store::DocumentInfo> Knowledge::State::NestedIn(
   while (!open.empty()) {
     const store::DocumentInfo next = std::move(open.back());
     open.pop_back();
+    // Few recipes nest others, and details can be long.
+    if (next.details_json.find("\"nests\"") == std::string::npos) continue;
     const auto details = nlohmann::json::parse(next.details_json);
     for (const std::string id : details.value("nests", nlohmann::json::array())) {
       if (id == recipe.id || nested.count(id) > 0) continue;
@@ -194,6 +175,8 @@ rdf::View Knowledge::State::ViewOf(const Stack& stack, const rdf::Graph* environ
   }
   return overlays.Get({base->view, base->generation}, sources, environment_graph).view;
 }
+
+store::Store& Knowledge::store() const { return state_->store; }
 
 const rdf::AliasTable& Knowledge::aliases() const { return state_->aliases; }
 

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "base/error.h"
+#include "mapping/objects/extents.h"
 #include "mapping/semantic/map_object.h"
 #include "ontology/rdf/aliases.h"
 #include "ontology/rdf/document.h"
 #include "ontology/triples/view.h"
+#include "reasoner/models/typical_models.h"
 #include "reasoner/places/prior.h"
 #include "reasoner/profile/finding.h"
 #include "reasoner/prolog/engine_pool.h"
@@ -111,6 +113,18 @@ struct ViewRequest {
   int environment_version = 0;  // 0: newest
 };
 
+// Environments that are all of it; what is empty does not narrow.
+struct EnvironmentQuery {
+  std::string room_number, street, building, level;
+  std::string type;                 // a class of places, by any of its names; its subclasses too
+  std::vector<std::string> holds;   // classes of objects, each of which is there
+  std::vector<std::string> layers;  // names
+  std::string text;                 // words that are all there; `cof*` stands for a beginning
+  std::optional<Time> changed_from, changed_until;
+  std::string after;  // ids beyond this one only
+  std::size_t limit = 100;
+};
+
 struct SeenObject {
   std::string environment;
   int version = 0;
@@ -152,9 +166,65 @@ struct CheckAnswer {
   std::size_t statements = 0;
 };
 
+// An object model, as its description and its files say.
 struct ObjectModelInfo {
   store::DocumentInfo document;
   std::vector<recipes::Resource> classes;  // what it is a model of
+  // Of each of `classes`, those that the description itself puts it under.
+  std::vector<std::vector<std::string>> above;
+  std::vector<recipes::Resource> kinds;  // what kind of model: PlanarObjectModel, …
+  struct Algorithm {
+    recipes::Resource what;            // without an IRI when the description names it in words only
+    std::vector<std::string> classes;  // kinds of component that it is
+  };
+  std::vector<Algorithm> algorithms;      // made it, and can use it
+  std::vector<recipes::Resource> makers;  // without an IRI where named in words
+  std::string created;                    // as stated; may be empty
+  std::optional<objects::Extents> extents;
+  std::vector<PackageFile> files;
+  std::uint64_t size_bytes = 0;  // of description and files
+  // How it answers to a class that was asked for.
+  enum class Fit { kAny, kSame, kKindOf, kMoreGeneral };
+  Fit fit = Fit::kAny;
+  // In a kind of room that was asked for: P(class | room), and the sentence why.
+  std::optional<double> probability;
+  std::string why;
+};
+
+// Each empty for any. Classes by IRI, local name or label.
+struct ObjectModelQuery {
+  std::string class_name;  // also models of what is below it, and more general models of it
+  std::string room;        // what is typical of such a room
+  std::string maker;       // IRI, local name, or a part of the label
+  std::string algorithm;   // this kind of program, or one below it
+  std::string kind;        // of model, or one below it
+};
+
+struct TypicalRequest {
+  std::string room;   // class of a room: IRI, local name or label
+  std::string robot;  // any of its names; empty for any robot
+  std::string prior;  // name of a table; empty: our own
+  bool strict = false;
+  std::optional<double> min_probability;
+  std::optional<std::size_t> max_models;
+  std::optional<std::uint64_t> max_bytes;
+};
+
+struct TypicalAnswer {
+  struct Model {
+    ObjectModelInfo info;
+    recipes::Resource of;  // the class that the choice rests on
+    models::Choice choice;
+  };
+  recipes::Resource room;
+  std::optional<recipes::Resource> robot;
+  std::string prior;  // name of the table that answered
+  std::string prior_title;
+  std::vector<recipes::Resource> places;  // kinds of rooms whose rows were looked at
+  bool places_above = false;              // one above the room that was asked for
+  std::vector<Model> loaded;              // best first
+  std::vector<Model> left_out;
+  std::uint64_t size_bytes = 0;  // of those loaded
 };
 
 struct PlaceTables;
@@ -206,6 +276,13 @@ class Knowledge {
   // The semantic layer's document in another format.
   std::string RenderSemantic(const std::string& environment, int version, rdf::Format format);
   std::vector<semantic::MapObject> MapObjects(const std::string& environment, int version);
+  // The document of a semantic layer of that environment, read as it was when it was accepted.
+  rdf::Document ReadSemantic(const std::string& environment, const store::LayerInfo& layer);
+  // By id. Throws kInvalid, kNotFound and kAmbiguous for a class that is none.
+  std::vector<store::EnvironmentInfo> SearchEnvironments(const EnvironmentQuery& query);
+  // Gives keys to environments that an older program put: afterwards they are found by what they
+  // hold. Those whose semantic layer cannot be read any more are left out.
+  void IndexEnvironments();
 
   // The skill templates that plans are made of, stored ones included.
   std::vector<recipes::SkillTemplate> SkillTemplates();
@@ -226,7 +303,10 @@ class Knowledge {
   // Every stored robot, with what it lacks for a task.
   RobotsAnswer RankRobots(const RobotsRequest& request);
   WhereAnswer Where(const WhereRequest& request);
-  std::vector<ObjectModelInfo> ObjectModels(const std::string& class_name);  // empty: all
+  std::vector<ObjectModelInfo> ObjectModels(const ObjectModelQuery& query);  // by id
+  // load-typical-object-models. Throws kNotFound for a room, robot or table that is not known,
+  // kInvalid for a class that is no kind of place and for numbers out of bounds.
+  TypicalAnswer TypicalModels(const TypicalRequest& request);
 
   // Resolves a name against stored documents: id, then IRI, then local name, then label. Throws
   // kNotFound with similar names, kAmbiguous listing the matches.
@@ -241,6 +321,10 @@ class Knowledge {
   // for a class that is none.
   recipes::Resource ResolveComponent(const std::string& name);
 
+  store::Store& store() const;
+  // Takes over what other servers of the store have put and removed of the catalogue; true when
+  // that was anything. The server asks for it now and then, and every put of the catalogue does.
+  bool Refresh();
   const rdf::AliasTable& aliases() const;
   struct Module {
     std::string id;

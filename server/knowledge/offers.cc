@@ -23,12 +23,22 @@ constexpr LayerKind kLayerKinds[] = {
 
 std::string Lares(std::string_view name) { return std::string(rdf::kLares) + std::string(name); }
 
-bool Serves(const rdf::View& catalogue, const std::string& modelled, const std::string& sought) {
+bool IsUnder(const rdf::View& catalogue, const std::string& modelled, const std::string& sought) {
   if (modelled == sought) return true;
   const auto below = catalogue.dictionary().FindIri(modelled);
   const auto above = catalogue.dictionary().FindIri(sought);
   const auto sub_class = catalogue.dictionary().FindIri(std::string(rdf::kRdfs) + "subClassOf");
   return below && above && sub_class && catalogue.Contains({*below, *sub_class, *above});
+}
+
+// Whether the class of one of a description's models, or one that the description puts it under, is
+// what is sought.
+bool Serves(const rdf::View& catalogue, const nlohmann::json& model, const std::string& sought) {
+  if (IsUnder(catalogue, model.at("class").at("iri"), sought)) return true;
+  for (const auto& above : model.value("above", nlohmann::json::array())) {
+    if (IsUnder(catalogue, above, sought)) return true;
+  }
+  return false;
 }
 
 // The files of a model; one of several is found by its name.
@@ -65,7 +75,7 @@ std::vector<Offer> ModelOffers(const store::Store& store, const rdf::View& catal
     if (!details.is_object() || !details.contains("models")) continue;
     for (std::size_t i = 0; i < sought.size(); ++i) {
       for (const auto& model : details["models"]) {
-        if (!Serves(catalogue, model.at("class").at("iri"), sought[i].iri)) continue;
+        if (!Serves(catalogue, model, sought[i].iri)) continue;
         found[i] = true;
         offers.push_back(ToOffer(document, details, sought[i].label));
         break;

@@ -16,6 +16,7 @@
 #include "ontology/rdf/vocabulary.h"
 #include "robots/body/robot_body.h"
 #include "server/knowledge/knowledge.h"
+#include "server/knowledge/object_models.h"
 #include "server/knowledge/state.h"
 
 namespace lares::server {
@@ -188,21 +189,6 @@ std::vector<Wanted> FindWanted(const rdf::View& view, const CatalogueState& cata
   return wanted;
 }
 
-// What the table says is found in places of this kind.
-std::vector<std::string> TypicalOf(const rdf::View& view, const places::PriorTable& table,
-                                   rdf::TermId place) {
-  const rdf::TermId sub_class = view.dictionary().InternIri(std::string(rdf::kRdfs) + "subClassOf");
-  std::vector<std::string> objects;
-  for (const places::PriorRow& row : table.rows) {
-    const auto of = view.dictionary().FindIri(row.place);
-    const bool fits = of && (*of == place || view.Contains({*of, sub_class, place}));
-    if (fits && row.count > 0) objects.push_back(row.object);
-  }
-  std::sort(objects.begin(), objects.end());
-  objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
-  return objects;
-}
-
 class ModelChooser {
  public:
   ModelChooser(const rdf::View& view, std::vector<ObjectModelInfo> stored)
@@ -218,20 +204,24 @@ class ModelChooser {
     }
   }
 
-  void ChooseForPlace(const Wanted& wanted, const std::vector<std::string>& typical,
+  void ChooseForPlace(const Wanted& wanted, const models::TypicalChoice& choice,
                       const std::string& table_title) {
     const std::string place = view_.Label(wanted.kind);
-    bool found = false;
-    for (const std::string& object : typical) {
-      const auto kind = view_.dictionary().FindIri(object);
-      if (!kind) continue;
-      found |= Choose(*kind, view_.Label(*kind) + " is typical of " + place + " (" + table_title +
-                                 "), and " + wanted.why);
+    const std::string why =
+        "; it is typical of " + place + " (" + table_title + "), and " + wanted.why;
+    for (const models::Choice& one : choice.loaded) {
+      Take(one.id, "object model " + one.id + " is " + one.why + why);
     }
-    if (!found) {
-      reasons_.push_back((typical.empty() ? "nothing is known to be typical of "
-                                          : "no object model is stored of what is typical of ") +
-                         place + ": " + wanted.why);
+    for (const models::Choice& one : choice.left_out) {
+      if (one.verdict != models::Verdict::kRobotLacks) continue;
+      reasons_.push_back("object model " + one.id + " is left out: it is " + one.why);
+    }
+    if (choice.loaded.empty()) {
+      reasons_.push_back(
+          (choice.places.empty()
+               ? "nothing is known to be typical of "
+               : "no object model is stored, for this robot, of what is typical of ") +
+          place + ": " + wanted.why);
     }
   }
 
@@ -255,25 +245,23 @@ class ModelChooser {
         const std::string sentence =
             "object model " + info.document.id + " is of " + of.label +
             (is_same ? "" : ", which is a kind of " + view_.Label(wanted)) + ": " + why;
-        PackageModel& model = chosen_[info.document.id];
-        if (model.document.id.empty()) Fill(info, model);
-        model.reasons.push_back(sentence);
-        reasons_.push_back(sentence);
+        Take(info.document.id, sentence);
         break;
       }
     }
     return found;
   }
 
-  static void Fill(const ObjectModelInfo& info, PackageModel& model) {
-    model.document = info.document;
-    model.classes = info.classes;
-    const auto details = nlohmann::json::parse(info.document.details_json);
-    for (const auto& file : details.value("files", nlohmann::json::array())) {
-      model.files.push_back({file.at("file_name"),
-                             file.at("media_type"),
-                             {file.at("sha256"), file.at("size").get<std::uint64_t>()}});
-    }
+  void Take(const std::string& id, const std::string& sentence) {
+    reasons_.push_back(sentence);
+    PackageModel& model = chosen_[id];
+    model.reasons.push_back(sentence);
+    if (!model.document.id.empty()) return;
+    const auto info = std::find_if(stored_.begin(), stored_.end(),
+                                   [&](const auto& one) { return one.document.id == id; });
+    model.document = info->document;
+    model.classes = info->classes;
+    model.files = info->files;
   }
 
   const rdf::View& view_;
@@ -302,8 +290,8 @@ std::shared_ptr<const RobotGrid> Knowledge::MakeRobotGrid(const std::string& rob
                                                           const std::string& environment,
                                                           int environment_version) {
   const Resolved resolved = Resolve(store::DocumentKind::kRobot, robot);
-  const store::EnvironmentVersion version =
-      state_->store.GetVersion(environment, environment_version);
+  const store::EnvironmentVersion version = state_->store.GetVersion(
+      environment, state_->VersionFor(resolved.document.id, environment, environment_version));
   const rdf::View view = state_->ViewOf({&resolved.document, nullptr, nullptr});
   const robots::Clearance body =
       robots::ClearanceOf(robots::ReadRobotBody(view, resolved.target_iri));
@@ -324,14 +312,22 @@ TaskPackage Knowledge::MakePackage(const PlanRequest& request, const recipes::Pl
   TaskPackage package;
   package.robot = RouteNameOf(robot);
 
-  ModelChooser chooser(view, ObjectModels(""));
+  std::vector<ObjectModelInfo> stored = StoredObjectModels(state_->store);
+  std::vector<models::Candidate> candidates;
+  for (const ObjectModelInfo& info : stored) candidates.push_back(ToCandidate(info));
+  ModelChooser chooser(view, std::move(stored));
   for (const Wanted& wanted : FindWanted(view, *catalogue, plan)) {
     if (!wanted.is_place) {
       chooser.ChooseForClass(wanted);
       continue;
     }
     const auto tables = FindPrior("lares");
-    chooser.ChooseForPlace(wanted, TypicalOf(view, tables->rooms, wanted.kind), tables->title);
+    models::TypicalOptions options;
+    options.room_iri = view.dictionary().Get(wanted.kind).value;
+    options.robot_iri = robot.target_iri;
+    chooser.ChooseForPlace(
+        wanted, models::ChooseTypical(state_->engines, view, tables->rooms, candidates, options),
+        tables->title);
   }
   package.models = chooser.models();
   package.reasons = chooser.reasons();

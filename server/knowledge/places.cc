@@ -121,29 +121,4 @@ WhereAnswer Knowledge::Where(const WhereRequest& request) {
   return answer;
 }
 
-std::vector<ObjectModelInfo> Knowledge::ObjectModels(const std::string& class_name) {
-  const auto catalogue = state_->catalogue();
-  const rdf::View& view = catalogue->view;
-  const rdf::TermId sub_class = view.dictionary().InternIri(std::string(rdf::kRdfs) + "subClassOf");
-  const std::string wanted = class_name.empty() ? "" : ResolveClass(class_name).iri;
-  std::vector<ObjectModelInfo> found;
-  for (store::DocumentInfo& document :
-       state_->store.ListDocuments(store::DocumentKind::kObjectModel)) {
-    ObjectModelInfo info;
-    bool fits = wanted.empty();
-    const auto details = nlohmann::json::parse(document.details_json);
-    for (const auto& model : details.at("models")) {
-      const std::string iri = model.at("class").at("iri");
-      info.classes.push_back(
-          {iri, model.at("class").at("label"), model.at("class").at("as_written")});
-      const auto term = view.dictionary().FindIri(iri);
-      fits = fits || iri == wanted ||
-             (term && view.Contains({*term, sub_class, view.dictionary().InternIri(wanted)}));
-    }
-    info.document = std::move(document);
-    if (fits) found.push_back(std::move(info));
-  }
-  return found;
-}
-
 }  // namespace lares::server

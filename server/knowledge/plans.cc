@@ -33,6 +33,7 @@ PlanAnswer Knowledge::MakePlan(const PlanRequest& request) {
   const recipes::MatchReport match = MatchTask(asked);
   recipes::PlanOptions options;
   options.match = &match;
+  options.reading = &asked.task->reading;
   options.strict = request.strict;
   options.offers = asked.options.offers;
   for (const auto& [step, chosen] : request.templates) {

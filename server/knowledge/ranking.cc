@@ -109,7 +109,7 @@ class ObjectsAskedFor {
 
 }  // namespace
 
-std::shared_ptr<const recipes::Needs> Knowledge::State::NeedsOf(
+std::shared_ptr<const TaskKnowledge> Knowledge::State::TaskOf(
     const std::shared_ptr<const CatalogueState>& base, const store::DocumentInfo& recipe,
     const std::string& task_iri) {
   std::vector<OverlaySource> sources;
@@ -119,8 +119,10 @@ std::shared_ptr<const recipes::Needs> Knowledge::State::NeedsOf(
   sources.push_back(SourceOf(GraphName(recipe.kind, recipe.id), recipe));
   std::string key;
   for (const OverlaySource& source : sources) key += source.key + "|";
-  return match_memory.needs.Get(KeyOf(*base, key, task_iri), [&] {
-    return recipes::FindNeeds(engines, ViewOver(*base, sources), task_iri);
+  return match_memory.tasks.Get(KeyOf(*base, key, task_iri), [&]() -> TaskKnowledge {
+    const rdf::View view = ViewOver(*base, sources);
+    return {recipes::FindNeeds(engines, view, task_iri),
+            recipes::ReadRecipe(engines, view, task_iri)};
   });
 }
 
@@ -151,8 +153,8 @@ Knowledge::Asked Knowledge::UnderstandTask(const PlanRequest& request) {
     asked.environment = state_->store.GetVersion(request.environment, request.environment_version);
   }
   asked.base = state_->catalogue();
-  asked.needs = state_->NeedsOf(asked.base, asked.recipe.document, asked.recipe.target_iri);
-  std::vector<recipes::Resource> sought = asked.needs->sought;
+  asked.task = state_->TaskOf(asked.base, asked.recipe.document, asked.recipe.target_iri);
+  std::vector<recipes::Resource> sought = asked.task->needs.sought;
   ObjectsAskedFor given(*asked.base, asked.recipe.document, state_->aliases);
   for (const auto& [name, value] : request.set) given.Add(name, value, sought);
   asked.options.strict = request.strict;
@@ -162,15 +164,19 @@ Knowledge::Asked Knowledge::UnderstandTask(const PlanRequest& request) {
 }
 
 Knowledge::Asked Knowledge::Understand(const PlanRequest& request) {
-  Asked asked = UnderstandTask(request);
-  asked.robot = Resolve(DocumentKind::kRobot, request.robot);
+  const Resolved robot = Resolve(DocumentKind::kRobot, request.robot);
+  PlanRequest pinned = request;
+  pinned.environment_version =
+      state_->VersionFor(robot.document.id, request.environment, request.environment_version);
+  Asked asked = UnderstandTask(pinned);
+  asked.robot = robot;
   RequireTarget(asked.robot);
   return asked;
 }
 
 recipes::MatchReport Knowledge::MatchTask(const Asked& asked) {
   const auto profile = state_->ProfileOf(asked.base, asked.robot.document, asked.robot.target_iri);
-  return recipes::Match(*asked.needs, *profile, asked.options);
+  return recipes::Match(asked.task->needs, *profile, asked.options);
 }
 
 recipes::MatchReport Knowledge::MatchTask(const PlanRequest& request) {
@@ -188,12 +194,13 @@ RobotsAnswer Knowledge::RankRobots(const RobotsRequest& request) {
 
 RobotsAnswer Knowledge::RankRobots(const Asked& asked) {
   RobotsAnswer answer;
-  answer.task = asked.needs->task;
+  answer.task = asked.task->needs.task;
   for (const store::DocumentInfo& document : state_->store.ListDocuments(DocumentKind::kRobot)) {
     for (const store::DocumentName& name : document.names) {
       if (name.kind != "id") continue;
       const auto profile = state_->ProfileOf(asked.base, document, name.target);
-      answer.robots.push_back({document.id, recipes::Rank(*asked.needs, *profile, asked.options)});
+      answer.robots.push_back(
+          {document.id, recipes::Rank(asked.task->needs, *profile, asked.options)});
     }
   }
   std::sort(answer.robots.begin(), answer.robots.end(),

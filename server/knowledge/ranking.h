@@ -12,6 +12,7 @@
 
 #include "recipes/match/needs.h"
 #include "recipes/match/profile.h"
+#include "recipes/plan/reading.h"
 
 namespace lares::server {
 
@@ -51,9 +52,15 @@ class Kept {
   std::unordered_map<std::string, typename Entries::iterator> by_key_;
 };
 
+// What a task asks of any robot.
+struct TaskKnowledge {
+  recipes::Needs needs;
+  recipes::Reading reading;
+};
+
 // Keys name the document's bytes, the thing of it that is meant, and the catalogue's generation.
 struct MatchMemory {
-  Kept<recipes::Needs> needs{256};
+  Kept<TaskKnowledge> tasks{256};
   Kept<recipes::RobotProfile> profiles{2048};
 };
 

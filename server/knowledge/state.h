@@ -89,9 +89,9 @@ struct Knowledge::State {
   OverlaySource SourceOf(const std::string& graph_name, const store::DocumentInfo& document);
 
   // Of documents over the catalogue `base`, kept from question to question.
-  std::shared_ptr<const recipes::Needs> NeedsOf(const std::shared_ptr<const CatalogueState>& base,
-                                                const store::DocumentInfo& recipe,
-                                                const std::string& task_iri);
+  std::shared_ptr<const TaskKnowledge> TaskOf(const std::shared_ptr<const CatalogueState>& base,
+                                              const store::DocumentInfo& recipe,
+                                              const std::string& task_iri);
   std::shared_ptr<const recipes::RobotProfile> ProfileOf(
       const std::shared_ptr<const CatalogueState>& base, const store::DocumentInfo& robot,
       const std::string& robot_iri);
@@ -102,6 +102,26 @@ struct Knowledge::State {
                                         const store::EnvironmentVersion* environment);
   MatchMemory match_memory;
 
+  // The version that a robot is to use: the one that is asked for; when none is (0), the one that
+  // it is pinned to; else 0, the head.
+  int VersionFor(const std::string& robot_id, const std::string& environment, int asked) const {
+    if (asked != 0 || environment.empty()) return asked;
+    const std::optional<store::Pin> pin = store.FindPin(robot_id, environment);
+    return pin ? pin->number : 0;
+  }
+
+  // What a version is found by when its semantic layer is not among those that come with it: that
+  // of a version that is restored, nothing when the layer is taken out. Nothing when it stays as it
+  // is.
+  std::optional<std::vector<store::SearchKey>> KeysOfCarried(const store::NewVersion& version);
+  // As its semantic layer says.
+  std::vector<store::SearchKey> KeysOfVersion(const store::EnvironmentVersion& version);
+
+  // Takes over what the store has of the catalogue and this process does not, and publishes it;
+  // true when that was anything. Under ontology_mutex.
+  bool TakeOverCatalogue();
+  std::map<std::string, int> taken_over;  // graph → version of its document; under ontology_mutex
+
   Overlays overlays{64, [this] { changes.Notify(); }};  // last: its thread uses what stands above
 };
 
@@ -111,7 +131,7 @@ struct Knowledge::Asked {
   Resolved robot;
   std::optional<store::EnvironmentVersion> environment;
   std::shared_ptr<const CatalogueState> base;
-  std::shared_ptr<const recipes::Needs> needs;
+  std::shared_ptr<const TaskKnowledge> task;
   recipes::MatchOptions options;
 };
 

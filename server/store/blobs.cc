@@ -29,6 +29,10 @@ std::string HashOfFile(const fs::path& path) {
 
 }  // namespace
 
+fs::path BlobPlace(const fs::path& folder, const std::string& sha256) {
+  return folder / "blobs" / sha256.substr(0, 2) / sha256.substr(2);
+}
+
 // Appended bytes go straight to the file. After a failed write the file is gone and the writer is
 // spent.
 class BlobFolder::Writer final : public BlobWriter {
@@ -97,14 +101,43 @@ class BlobFolder::Writer final : public BlobWriter {
   bool committed_ = false;
 };
 
-BlobFolder::BlobFolder(const fs::path& folder, Files& files, Health& health)
-    : blobs_(folder / "blobs"), incoming_(folder / "incoming"), files_(files), health_(health) {
+BlobFolder::BlobFolder(const fs::path& folder, Files& files, Health& health, Use use)
+    : folder_(folder),
+      blobs_(folder / "blobs"),
+      incoming_(folder / "incoming"),
+      files_(files),
+      health_(health) {
   files_.MakeFolder(blobs_);
   files_.MakeFolder(incoming_);
-  for (const fs::directory_entry& left : fs::directory_iterator(incoming_)) {
-    files_.Remove(left.path());
+  if (use == Use::kShared) {
+    TakePartOfIncoming();
+  } else {
+    for (const fs::directory_entry& left : fs::directory_iterator(incoming_)) {
+      files_.Remove(left.path());
+    }
   }
   files_.SyncFolder(folder);
+}
+
+// One process at a time looks for parts that nobody holds, and takes a new one.
+void BlobFolder::TakePartOfIncoming() {
+  const FolderLock turn(incoming_ / "turn", std::chrono::seconds(10));
+  for (const fs::directory_entry& entry : fs::directory_iterator(incoming_)) {
+    if (!entry.is_directory()) continue;
+    try {
+      const FolderLock nobody(entry.path() / "lock");
+      fs::remove_all(entry.path());
+    } catch (const Error& error) {
+      if (error.code() != Code::kConflict) throw;
+    }
+  }
+  for (int number = 1; !part_; ++number) {
+    const fs::path part = incoming_ / std::to_string(number);
+    if (fs::exists(part)) continue;
+    files_.MakeFolder(part);
+    part_ = std::make_unique<FolderLock>(part / "lock");
+    incoming_ = part;
+  }
 }
 
 std::unique_ptr<BlobWriter> BlobFolder::New() {
@@ -122,9 +155,7 @@ Blob BlobFolder::Put(std::string_view bytes) {
   return writer->Commit();
 }
 
-fs::path BlobFolder::Place(const std::string& sha256) const {
-  return blobs_ / sha256.substr(0, 2) / sha256.substr(2);
-}
+fs::path BlobFolder::Place(const std::string& sha256) const { return BlobPlace(folder_, sha256); }
 
 fs::path BlobFolder::PathOf(const std::string& sha256) const {
   if (!IsSha256Hex(sha256)) throw NoBlob(sha256);

@@ -10,17 +10,26 @@
 #include <vector>
 
 #include "server/store/files.h"
+#include "server/store/folder_lock.h"
 #include "server/store/health.h"
 #include "server/store/store.h"
 
 namespace lares::store {
 
+// Where a blob lies, or would lie, below the store's folder. `sha256`: IsSha256Hex.
+std::filesystem::path BlobPlace(const std::filesystem::path& folder, const std::string& sha256);
+
 // All members are thread-safe. A blob is never changed and never removed.
 class BlobFolder {
  public:
-  // Creates blobs/ and incoming/ in `folder` and empties incoming/.
-  BlobFolder(const std::filesystem::path& folder, Files& files, Health& health);
+  // kShared: other processes write to the same folder, each in a part of incoming/ of its own.
+  enum class Use { kAlone, kShared };
+  // Creates blobs/ and incoming/ in `folder` and removes from incoming/ what nobody writes any
+  // more.
+  BlobFolder(const std::filesystem::path& folder, Files& files, Health& health,
+             Use use = Use::kAlone);
 
+  const std::filesystem::path& folder() const { return folder_; }
   std::unique_ptr<BlobWriter> New();
   Blob Put(std::string_view bytes);
 
@@ -38,11 +47,14 @@ class BlobFolder {
  private:
   class Writer;
   std::filesystem::path Place(const std::string& sha256) const;
+  void TakePartOfIncoming();
   // The blob's sub-folder, itself durable.
   void PrepareSubfolder(const std::string& sha256);
 
+  std::filesystem::path folder_;
   std::filesystem::path blobs_;
   std::filesystem::path incoming_;
+  std::unique_ptr<FolderLock> part_;  // held while this process writes to its part of incoming/
   Files& files_;
   Health& health_;
   std::mutex mutex_;

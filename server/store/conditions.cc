@@ -27,6 +27,9 @@ void CheckId(std::string_view id, std::string_view what) {
 
 void CheckText(std::string_view text, std::string_view what) {
   if (!IsUtf8(text)) throw Error(Code::kInvalid, std::string(what) + " is not UTF-8");
+  if (text.find('\0') != std::string_view::npos) {
+    throw Error(Code::kInvalid, std::string(what) + " has the character NUL");
+  }
 }
 
 }  // namespace lares::store

@@ -15,7 +15,7 @@ void CheckIfMatch(const std::string& if_match, const std::optional<std::string>&
 // Throws kInvalid, naming `what`, unless `id` is an IsIdentifier.
 void CheckId(std::string_view id, std::string_view what);
 
-// Throws kInvalid, naming `what`, unless `text` is UTF-8.
+// Throws kInvalid, naming `what`, unless `text` is UTF-8 without NUL.
 void CheckText(std::string_view text, std::string_view what);
 
 }  // namespace lares::store

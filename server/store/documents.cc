@@ -96,8 +96,10 @@ void RetireNames(Database& database, std::int64_t document, int number) {
 Row Advance(Database& database, DocumentKind kind, const std::string& id) {
   const std::optional<Row> row = FindRow(database, kind, id);
   if (!row) {
-    database.Run("INSERT INTO documents (kind, id, latest) VALUES (?, ?, 1)", {ToString(kind), id});
-    return {database.last_key(), 1};
+    const std::int64_t key =
+        database.AskInt("INSERT INTO documents (kind, id, latest) VALUES (?, ?, 1) RETURNING key",
+                        {ToString(kind), id});
+    return {key, 1};
   }
   RetireNames(database, row->key, row->latest);
   database.Run("UPDATE documents SET latest = latest + 1, deleted = 0 WHERE key = ?", {row->key});
@@ -143,13 +145,13 @@ DocumentInfo AddDocument(Database& database, const NewDocument& document, const 
   const DocumentInfo info{document.kind,      document.id, row.latest, document.media_type,
                           document.file_name, blob,        Now(),      document.details_json,
                           document.names};
-  database.Run(
+  const std::int64_t key = database.AskInt(
       "INSERT INTO document_versions (document, number, media_type, file_name, sha256, size, "
-      "received, details) VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
+      "received, details) VALUES (?, ?, ?, ?, ?, ?, ?, ?) RETURNING key",
       {row.key, info.version, info.media_type, info.file_name, blob.sha256,
        static_cast<std::int64_t>(blob.size), info.received.time_since_epoch().count(),
        info.details_json});
-  AddNames(database, database.last_key(), document.names);
+  AddNames(database, key, document.names);
   return info;
 }
 

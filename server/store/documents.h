@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "server/store/sqlite.h"
+#include "server/store/database.h"
 #include "server/store/store.h"
 
 namespace lares::store {

@@ -1,5 +1,6 @@
 #include "server/store/environments.h"
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -7,6 +8,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "server/store/conditions.h"
+#include "server/store/search.h"
 
 namespace lares::store {
 namespace {
@@ -14,13 +16,26 @@ namespace {
 using Layers = std::map<std::string, LayerInfo>;
 
 #define LARES_ENVIRONMENT_COLUMNS \
-  "SELECT id, type_iri, label, created, latest, key FROM environments "
+  "SELECT id, type_iri, label, created, latest, changed_at, count, key FROM environments "
+#define LARES_VERSION_COLUMNS                                                             \
+  "SELECT v.key, v.number, v.created, v.author, v.note, v.changed, v.type_iri, v.label, " \
+  "v.robot, v.mission, v.origin, v.parents, v.base, v.was_head "
 #define LARES_VERSIONS_JOINED \
   "FROM environments e JOIN environment_versions v ON v.environment = e.key "
 
 EnvironmentInfo ReadEnvironment(const Query& row) {
-  return {row.Text(0), row.Text(1), row.Text(2), Time(std::chrono::milliseconds(row.Int(3))),
-          static_cast<int>(row.Int(4))};
+  return {row.Text(0),
+          row.Text(1),
+          row.Text(2),
+          Time(std::chrono::milliseconds(row.Int(3))),
+          static_cast<int>(row.Int(4)),
+          Time(std::chrono::milliseconds(row.Int(5))),
+          static_cast<int>(row.Int(6))};
+}
+
+Origin OriginOf(const std::string& text) {
+  if (text == ToString(Origin::kRollback)) return Origin::kRollback;
+  return text == ToString(Origin::kMerge) ? Origin::kMerge : Origin::kPut;
 }
 
 // Columns after the version's key.
@@ -46,6 +61,16 @@ EnvironmentVersion ReadVersion(const Query& row, const std::string& environment)
   }
   version.type_iri = row.Text(6);
   version.label = row.Text(7);
+  version.robot = row.Text(8);
+  version.mission = row.Text(9);
+  version.origin = OriginOf(row.Text(10));
+  if (const std::string parents = row.Text(11); !parents.empty()) {
+    for (const std::string& parent : Split(parents, ' ')) {
+      version.parents.push_back(std::stoi(parent));
+    }
+  }
+  version.base = static_cast<int>(row.Int(12));
+  version.was_head = row.Int(13) != 0;
   return version;
 }
 
@@ -72,10 +97,10 @@ bool SameLayer(const LayerInfo& a, const LayerInfo& b) {
          a.blob.sha256 == b.blob.sha256 && a.facts == b.facts;
 }
 
-Layers LayersOf(Database& database, const std::optional<EnvironmentInfo>& environment) {
+Layers LayersOf(Database& database, const std::string& environment, int number) {
   Layers layers;
-  if (!environment) return layers;
-  EnvironmentVersion version = GetVersion(database, environment->id, environment->latest);
+  if (number == 0) return layers;
+  EnvironmentVersion version = GetVersion(database, environment, number);
   for (LayerInfo& layer : version.layers) layers[layer.name] = std::move(layer);
   return layers;
 }
@@ -85,7 +110,7 @@ struct Change {
   std::vector<std::string> changed;
 };
 
-// What `version` makes of its parent's layers.
+// What `version` makes of the layers of its base.
 Change Apply(const NewVersion& version, Layers layers) {
   std::set<std::string> changed;
   for (const std::string& name : version.removed_layers) {
@@ -109,18 +134,70 @@ Change Apply(const NewVersion& version, Layers layers) {
   return change;
 }
 
-// The environment's key, standing at `number`.
-std::int64_t PutEnvironment(Database& database, const NewVersion& version, int number, Time now) {
-  database.Run(
-      "INSERT INTO environments (id, type_iri, label, created, latest) VALUES (?1, ?2, ?3, ?4, ?5) "
-      "ON CONFLICT (id) DO UPDATE SET latest = ?5, "
-      "type_iri = CASE WHEN ?2 = '' THEN type_iri ELSE ?2 END, "
-      "label = CASE WHEN ?3 = '' THEN label ELSE ?3 END",
-      {version.environment, version.type_iri, version.label, now.time_since_epoch().count(),
-       number});
-  Query query = database.Ask("SELECT key FROM environments WHERE id = ?", {version.environment});
-  query.Next();
-  return query.Int(0);
+// The environment's key; it has one version more, and another head when `added` is one.
+std::int64_t PutEnvironment(Database& database, const EnvironmentVersion& added) {
+  const std::int64_t now = added.created.time_since_epoch().count();
+  if (added.number == 1) {
+    return database.AskInt(
+        "INSERT INTO environments (id, type_iri, label, created, latest, count, changed_at) "
+        "VALUES (?1, ?2, ?3, ?4, 1, 1, ?4) RETURNING key",
+        {added.environment, added.type_iri, added.label, now});
+  }
+  if (!added.was_head) {
+    return database.AskInt("UPDATE environments SET count = ? WHERE id = ? RETURNING key",
+                           {added.number, added.environment});
+  }
+  return database.AskInt(
+      "UPDATE environments SET latest = ?2, count = ?2, changed_at = ?3, type_iri = ?4, label = ?5 "
+      "WHERE id = ?1 RETURNING key",
+      {added.environment, added.number, now, added.type_iri, added.label});
+}
+
+std::string JoinNumbers(const std::vector<int>& numbers) {
+  std::string joined;
+  for (const int number : numbers) {
+    joined += (joined.empty() ? "" : " ") + std::to_string(number);
+  }
+  return joined;
+}
+
+std::int64_t PutVersionRow(Database& database, std::int64_t environment,
+                           const EnvironmentVersion& added) {
+  return database.AskInt(
+      "INSERT INTO environment_versions (environment, number, created, author, note, changed, "
+      "type_iri, label, robot, mission, origin, parents, base, was_head) "
+      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) RETURNING key",
+      {environment, added.number, added.created.time_since_epoch().count(), added.author,
+       added.note, lares::Join(added.changed_layers, " "), added.type_iri, added.label, added.robot,
+       added.mission, ToString(added.origin), JoinNumbers(added.parents), added.base,
+       added.was_head ? 1 : 0});
+}
+
+// Parents, base, origin and place of a new version of `environment` (null: there is none yet).
+void Place(const NewVersion& version, const EnvironmentInfo* environment,
+           EnvironmentVersion& added) {
+  const int head = environment != nullptr ? environment->latest : 0;
+  const int count = environment != nullptr ? environment->count : 0;
+  for (const int number : {version.parent, version.merged, version.restored}) {
+    if (number < 0 || number > count) {
+      throw Error(Code::kNotFound,
+                  "environment '" + version.environment + "' has " +
+                      (count == 0 ? "no version yet" : "versions 1 to " + std::to_string(count)) +
+                      ", not " + std::to_string(number));
+    }
+  }
+  const int parent = version.parent == 0 ? head : version.parent;
+  if (version.merged != 0 && version.merged == parent) {
+    throw Error(Code::kInvalid, "a version cannot be merged with itself");
+  }
+  added.number = count + 1;
+  added.was_head = parent == head;
+  if (parent != 0) added.parents.push_back(parent);
+  if (version.merged != 0) added.parents.push_back(version.merged);
+  added.base = version.restored != 0 ? version.restored : parent;
+  added.origin = version.merged != 0     ? Origin::kMerge
+                 : version.restored != 0 ? Origin::kRollback
+                                         : Origin::kPut;
 }
 
 void AddLayers(Database& database, std::int64_t version, const std::vector<LayerInfo>& layers) {
@@ -148,6 +225,8 @@ void CheckNewVersion(const NewVersion& version) {
   CheckText(version.label, "the label");
   CheckText(version.author, "the author");
   CheckText(version.note, "the note");
+  CheckText(version.robot, "the robot");
+  CheckText(version.mission, "the mission");
   std::set<std::string> named;
   for (const LayerInfo& layer : version.layers) {
     CheckLayer(layer);
@@ -171,24 +250,25 @@ EnvironmentVersion AddVersion(Database& database, const NewVersion& version) {
   CheckIfMatch(version.if_match,
                environment ? std::optional<std::string>(added.etag()) : std::nullopt,
                "environment '" + version.environment + "'");
-  Change change = Apply(version, LayersOf(database, environment));
-  ++added.number;
-  added.created = Now();
+  Place(version, environment ? &*environment : nullptr, added);
+  Change change = Apply(version, LayersOf(database, version.environment, added.base));
+  // Never before the head that it follows, whatever the clock does: questions "as of" rest on it.
+  added.created = std::max(Now(), environment ? environment->changed : Time{});
   added.author = version.author;
+  added.robot = version.robot;
+  added.mission = version.mission;
   added.note = version.note;
-  added.type_iri =
-      environment && version.type_iri.empty() ? environment->type_iri : version.type_iri;
-  added.label = environment && version.label.empty() ? environment->label : version.label;
+  const EnvironmentVersion base = added.base == 0
+                                      ? EnvironmentVersion()
+                                      : GetVersion(database, version.environment, added.base);
+  added.type_iri = version.type_iri.empty() ? base.type_iri : version.type_iri;
+  added.label = version.label.empty() ? base.label : version.label;
   added.layers = std::move(change.layers);
   added.changed_layers = std::move(change.changed);
 
-  const std::int64_t key = PutEnvironment(database, version, added.number, added.created);
-  database.Run(
-      "INSERT INTO environment_versions (environment, number, created, author, note, changed, "
-      "type_iri, label) VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
-      {key, added.number, added.created.time_since_epoch().count(), added.author, added.note,
-       lares::Join(added.changed_layers, " "), added.type_iri, added.label});
-  AddLayers(database, database.last_key(), added.layers);
+  AddLayers(database, PutVersionRow(database, PutEnvironment(database, added), added),
+            added.layers);
+  if (added.was_head) UpdateKeys(database, added, version.keys);
   return added;
 }
 
@@ -210,9 +290,7 @@ EnvironmentVersion GetVersion(Database& database, const std::string& id, int num
   if (!environment) throw NoEnvironment(id);
   const int wanted = number == 0 ? environment->latest : number;
   Query versions = database.Ask(
-      "SELECT v.key, v.number, v.created, v.author, v.note, v.changed, v.type_iri, "
-      "v.label " LARES_VERSIONS_JOINED "WHERE e.id = ? AND v.number = ?",
-      {id, wanted});
+      LARES_VERSION_COLUMNS LARES_VERSIONS_JOINED "WHERE e.id = ? AND v.number = ?", {id, wanted});
   Query layers = database.Ask(
       "SELECT l.version, l.name, l.file_name, l.media_type, l.sha256, l.size, "
       "l.facts " LARES_VERSIONS_JOINED
@@ -221,7 +299,7 @@ EnvironmentVersion GetVersion(Database& database, const std::string& id, int num
   std::vector<EnvironmentVersion> found = Join(versions, layers, id);
   if (found.empty()) {
     throw Error(Code::kNotFound, "environment '" + id + "' has versions 1 to " +
-                                     std::to_string(environment->latest) + ", not " +
+                                     std::to_string(environment->count) + ", not " +
                                      std::to_string(wanted));
   }
   return std::move(found.front());
@@ -229,9 +307,7 @@ EnvironmentVersion GetVersion(Database& database, const std::string& id, int num
 
 std::vector<EnvironmentVersion> EnvironmentLog(Database& database, const std::string& id) {
   Query versions = database.Ask(
-      "SELECT v.key, v.number, v.created, v.author, v.note, v.changed, v.type_iri, "
-      "v.label " LARES_VERSIONS_JOINED "WHERE e.id = ? ORDER BY v.number DESC",
-      {id});
+      LARES_VERSION_COLUMNS LARES_VERSIONS_JOINED "WHERE e.id = ? ORDER BY v.number DESC", {id});
   Query layers = database.Ask(
       "SELECT l.version, l.name, l.file_name, l.media_type, l.sha256, l.size, "
       "l.facts " LARES_VERSIONS_JOINED
@@ -240,6 +316,19 @@ std::vector<EnvironmentVersion> EnvironmentLog(Database& database, const std::st
   std::vector<EnvironmentVersion> log = Join(versions, layers, id);
   if (log.empty()) throw NoEnvironment(id);
   return log;
+}
+
+int VersionAsOf(Database& database, const std::string& id, Time time) {
+  if (!FindEnvironment(database, id)) throw NoEnvironment(id);
+  const std::int64_t number = database.AskInt(
+      "SELECT v.number " LARES_VERSIONS_JOINED
+      "WHERE e.id = ? AND v.was_head = 1 AND v.created <= ? ORDER BY v.number DESC LIMIT 1",
+      {id, time.time_since_epoch().count()});
+  if (number == 0) {
+    throw Error(Code::kNotFound,
+                "environment '" + id + "' had no version yet at " + ToRfc3339(time));
+  }
+  return static_cast<int>(number);
 }
 
 }  // namespace lares::store

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <string>
+#include <thread>
 
 #include "base/error.h"
 #include "base/text.h"
@@ -29,14 +30,26 @@ Error Held(const std::filesystem::path& file, const std::string& holder) {
                 ", or use another folder");
 }
 
+// errno says why not.
+bool TryLock(int fd, std::chrono::milliseconds patience) {
+  constexpr std::chrono::milliseconds kStep{20};
+  while (::flock(fd, LOCK_EX | LOCK_NB) != 0) {
+    if (errno != EWOULDBLOCK || patience <= std::chrono::milliseconds::zero()) return false;
+    std::this_thread::sleep_for(kStep);
+    patience -= kStep;
+    errno = EWOULDBLOCK;
+  }
+  return true;
+}
+
 }  // namespace
 
-FolderLock::FolderLock(const std::filesystem::path& file)
+FolderLock::FolderLock(const std::filesystem::path& file, std::chrono::milliseconds patience)
     : fd_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
   if (fd_ < 0) {
     throw Error(Code::kIo, "cannot open '" + file.string() + "': " + std::strerror(errno));
   }
-  if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
+  if (!TryLock(fd_, patience)) {
     const int error = errno;
     const std::string holder = HolderOf(fd_);
     ::close(fd_);

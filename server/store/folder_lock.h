@@ -1,6 +1,7 @@
 // One process at a time in one folder.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 
 namespace lares::store {
@@ -9,8 +10,9 @@ namespace lares::store {
 // it dies. The file stays and carries the holder's process id.
 class FolderLock {
  public:
-  // Throws kConflict, with a hint naming the process, when it is held; kIo when it cannot be made.
-  explicit FolderLock(const std::filesystem::path& file);
+  // Throws kConflict, with a hint naming the process, when it is held and stays so for `patience`;
+  // kIo when it cannot be made.
+  explicit FolderLock(const std::filesystem::path& file, std::chrono::milliseconds patience = {});
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;

@@ -10,6 +10,15 @@ Error Unavailable(const std::string& reason) {
       .WithHint("mend the storage (space, disk, rights), then restart; reading goes on meanwhile");
 }
 
+// Enough for the database and small files; an upload that needs more finds out by itself.
+constexpr std::uintmax_t kRoomBytes = std::uintmax_t{16} << 20;
+
+bool HasRoom(const std::filesystem::path& folder) {
+  std::error_code error;
+  const std::filesystem::space_info space = std::filesystem::space(folder, error);
+  return error || space.available >= kRoomBytes;
+}
+
 }  // namespace
 
 void Health::Check() const {
@@ -24,12 +33,23 @@ void Health::Fail(const std::string& reason) {
 
 std::string Health::reason() const {
   const std::lock_guard lock(mutex_);
-  return reason_;
+  if (!reason_.empty()) return reason_;
+  if (!full_.empty() && HasRoom(folder_)) full_.clear();
+  return full_;
+}
+
+void Health::WatchRoom(std::filesystem::path folder) {
+  const std::lock_guard lock(mutex_);
+  folder_ = std::move(folder);
 }
 
 Error Health::Refusal(const std::system_error& error) {
   const bool full = error.code() == std::errc::no_space_on_device ||
                     error.code() == std::errc::file_too_large || error.code().value() == EDQUOT;
+  if (full) {
+    const std::lock_guard lock(mutex_);
+    full_ = error.what();
+  }
   return Error(Code::kUnavailable,
                std::string(full ? "there is no room for these bytes: " : "cannot be stored: ") +
                    error.what())

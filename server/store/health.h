@@ -1,9 +1,10 @@
 // Whether the store still accepts writes. After a failed sync, rename or write of the database
 // nothing is known about what the disk holds of it, so the first such fault ends writing until the
-// store is opened again. What fails before anything rests on it (a full disk while an upload is
-// taken in) fails alone.
+// store is opened again. What fails before anything rests on it fails alone; a disk that is full
+// then stops writing until there is room again.
 #pragma once
 
+#include <filesystem>
 #include <mutex>
 #include <string>
 #include <system_error>
@@ -20,6 +21,9 @@ class Health {
   // The first reason stays.
   void Fail(const std::string& reason);
   std::string reason() const;  // empty while writes are accepted
+
+  // Where room is looked for once there was none.
+  void WatchRoom(std::filesystem::path folder);
 
   // Runs `write`. A fault of the storage in it ends writing and comes out as kUnavailable; refusals
   // (kInvalid, kPreconditionFailed, …) pass through.
@@ -46,12 +50,14 @@ class Health {
   }
 
  private:
-  static Error Refusal(const std::system_error& error);
+  Error Refusal(const std::system_error& error);
   Error Judge(const std::system_error& error);
   Error Judge(const Error& error);
 
   mutable std::mutex mutex_;
   std::string reason_;
+  mutable std::string full_;  // why there was no room; empty: there is
+  std::filesystem::path folder_;
 };
 
 }  // namespace lares::store

@@ -59,39 +59,47 @@ void Bind(sqlite3* connection, sqlite3_stmt* statement, int index, const Value& 
   if (result != SQLITE_OK) Throw(connection, result, "binding");
 }
 
+// Borrows a statement of the connection's cache.
+class SqliteCursor final : public Cursor {
+ public:
+  SqliteCursor(sqlite3* connection, sqlite3_stmt* statement, std::span<const Value> values)
+      : connection_(connection), statement_(statement) {
+    if (static_cast<int>(values.size()) != sqlite3_bind_parameter_count(statement_)) {
+      throw Error(Code::kInternal,
+                  std::string("wrong number of values for: ") + sqlite3_sql(statement_));
+    }
+    int index = 0;
+    for (const Value& value : values) Bind(connection_, statement_, ++index, value);
+  }
+  ~SqliteCursor() override {
+    sqlite3_reset(statement_);
+    sqlite3_clear_bindings(statement_);
+  }
+  SqliteCursor(const SqliteCursor&) = delete;
+  SqliteCursor& operator=(const SqliteCursor&) = delete;
+
+  bool Next() override {
+    const int result = sqlite3_step(statement_);
+    if (result == SQLITE_ROW) return true;
+    if (result != SQLITE_DONE) Throw(connection_, result, sqlite3_sql(statement_));
+    return false;
+  }
+  std::int64_t Int(int column) const override { return sqlite3_column_int64(statement_, column); }
+  std::string Text(int column) const override {
+    const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
+    if (text == nullptr) return "";
+    return {text, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column))};
+  }
+
+ private:
+  sqlite3* connection_;
+  sqlite3_stmt* statement_;
+};
+
 }  // namespace
 
-Query::Query(sqlite3* connection, sqlite3_stmt* statement, std::initializer_list<Value> values)
-    : connection_(connection), statement_(statement) {
-  if (static_cast<int>(values.size()) != sqlite3_bind_parameter_count(statement_)) {
-    throw Error(Code::kInternal,
-                std::string("wrong number of values for: ") + sqlite3_sql(statement_));
-  }
-  int index = 0;
-  for (const Value& value : values) Bind(connection_, statement_, ++index, value);
-}
-
-Query::~Query() {
-  sqlite3_reset(statement_);
-  sqlite3_clear_bindings(statement_);
-}
-
-bool Query::Next() {
-  const int result = sqlite3_step(statement_);
-  if (result == SQLITE_ROW) return true;
-  if (result != SQLITE_DONE) Throw(connection_, result, sqlite3_sql(statement_));
-  return false;
-}
-
-std::int64_t Query::Int(int column) const { return sqlite3_column_int64(statement_, column); }
-
-std::string Query::Text(int column) const {
-  const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
-  if (text == nullptr) return "";
-  return {text, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column))};
-}
-
-Database::Database(const std::filesystem::path& file, Access access, const std::string& vfs) {
+SqliteDatabase::SqliteDatabase(const std::filesystem::path& file, Access access,
+                               const std::string& vfs) {
   const int flags =
       SQLITE_OPEN_NOMUTEX |
       (access == Access::kRead ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
@@ -109,18 +117,18 @@ Database::Database(const std::filesystem::path& file, Access access, const std::
   sqlite3_wal_hook(
       connection_,
       [](void* self, sqlite3*, const char*, int pages) {
-        static_cast<Database*>(self)->log_pages_ = pages;
+        static_cast<SqliteDatabase*>(self)->log_pages_ = pages;
         return SQLITE_OK;
       },
       this);
 }
 
-Database::~Database() {
+SqliteDatabase::~SqliteDatabase() {
   for (const auto& [sql, statement] : statements_) sqlite3_finalize(statement);
   sqlite3_close_v2(connection_);
 }
 
-sqlite3_stmt* Database::Compiled(std::string_view sql) {
+sqlite3_stmt* SqliteDatabase::Compiled(std::string_view sql) {
   if (const auto found = statements_.find(sql); found != statements_.end()) return found->second;
   sqlite3_stmt* statement = nullptr;
   const int result = sqlite3_prepare_v3(connection_, sql.data(), static_cast<int>(sql.size()),
@@ -130,34 +138,31 @@ sqlite3_stmt* Database::Compiled(std::string_view sql) {
   return statement;
 }
 
-Query Database::Ask(std::string_view sql, std::initializer_list<Value> values) {
+Query SqliteDatabase::Ask(std::string_view sql, std::span<const Value> values) {
   sqlite3_stmt* statement = Compiled(sql);
   if (sqlite3_stmt_busy(statement) != 0) {
     throw Error(Code::kInternal, "asked again while being read: " + std::string(sql));
   }
-  return {connection_, statement, values};
+  return Query(std::make_unique<SqliteCursor>(connection_, statement, values));
 }
 
-void Database::Run(std::string_view sql, std::initializer_list<Value> values) {
-  Query query = Ask(sql, values);
-  while (query.Next()) {
-  }
+void SqliteDatabase::Each(const std::string& sql, const std::function<void(const Cursor&)>& row) {
+  SqliteCursor cursor(connection_, Compiled(sql), {});
+  while (cursor.Next()) row(cursor);
 }
 
-void Database::RunScript(const std::string& sql) {
+void SqliteDatabase::RunScript(const std::string& sql) {
   const int result = sqlite3_exec(connection_, sql.c_str(), nullptr, nullptr, nullptr);
   if (result != SQLITE_OK) Throw(connection_, result, "script");
 }
 
-std::int64_t Database::last_key() const { return sqlite3_last_insert_rowid(connection_); }
+bool SqliteDatabase::in_transaction() const { return sqlite3_get_autocommit(connection_) == 0; }
 
-bool Database::in_transaction() const { return sqlite3_get_autocommit(connection_) == 0; }
+void SqliteDatabase::Checkpoint() { RunCheckpoint(SQLITE_CHECKPOINT_PASSIVE); }
 
-void Database::Checkpoint() { RunCheckpoint(SQLITE_CHECKPOINT_PASSIVE); }
+void SqliteDatabase::CheckpointWhole() { RunCheckpoint(SQLITE_CHECKPOINT_TRUNCATE); }
 
-void Database::CheckpointWhole() { RunCheckpoint(SQLITE_CHECKPOINT_TRUNCATE); }
-
-void Database::RunCheckpoint(int mode) {
+void SqliteDatabase::RunCheckpoint(int mode) {
   const int result = sqlite3_wal_checkpoint_v2(connection_, nullptr, mode, nullptr, nullptr);
   // Busy only means that a reader still needs a part of the log.
   if (result != SQLITE_OK && (result & 0xff) != SQLITE_BUSY) {
@@ -165,23 +170,8 @@ void Database::RunCheckpoint(int mode) {
   }
 }
 
-void Database::TidyOnClose() {
+void SqliteDatabase::TidyOnClose() {
   sqlite3_db_config(connection_, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 0, nullptr);
 }
-
-Transaction::Transaction(Database& database, Kind kind) : database_(database) {
-  database_.Run(kind == Kind::kRead ? "BEGIN" : "BEGIN IMMEDIATE");
-}
-
-Transaction::~Transaction() {
-  if (!database_.in_transaction()) return;
-  try {
-    database_.Run("ROLLBACK");
-  } catch (const Error&) {
-    // The connection rolls back when it closes; nothing of it was committed.
-  }
-}
-
-void Transaction::Commit() { database_.Run("COMMIT"); }
 
 }  // namespace lares::store

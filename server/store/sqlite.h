@@ -1,58 +1,37 @@
-// SQLite as values: a connection, a question with its rows, a transaction. A fault is an Error:
-// kUnavailable when the disk is full, kIo when it failed or the file is damaged, kTimeout when
-// locked, kInternal when the SQL is wrong.
+// SQLite behind Database.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <initializer_list>
 #include <map>
 #include <string>
 #include <string_view>
-#include <variant>
+
+#include "server/store/database.h"
 
 struct sqlite3;
 struct sqlite3_stmt;
 
 namespace lares::store {
 
-using Value = std::variant<std::int64_t, std::string_view>;
-
-// The rows that answer one statement. Borrowed from the connection's cache; one thread.
-class Query {
- public:
-  Query(sqlite3* connection, sqlite3_stmt* statement, std::initializer_list<Value> values);
-  ~Query();
-  Query(const Query&) = delete;
-  Query& operator=(const Query&) = delete;
-
-  bool Next();  // false after the last row
-  std::int64_t Int(int column) const;
-  std::string Text(int column) const;
-
- private:
-  sqlite3* connection_;
-  sqlite3_stmt* statement_;
-};
-
-// One connection; used by one thread at a time.
-class Database {
+class SqliteDatabase final : public Database {
  public:
   enum class Access { kRead, kWrite };
   // kWrite creates the file when it is absent. `vfs` empty: SQLite's default.
-  Database(const std::filesystem::path& file, Access access, const std::string& vfs);
-  ~Database();
-  Database(const Database&) = delete;
-  Database& operator=(const Database&) = delete;
+  SqliteDatabase(const std::filesystem::path& file, Access access, const std::string& vfs);
+  ~SqliteDatabase() override;
+  SqliteDatabase(const SqliteDatabase&) = delete;
+  SqliteDatabase& operator=(const SqliteDatabase&) = delete;
 
-  // Values are copied. Statements are compiled once. The same text may not be asked again while
-  // its rows are being read.
-  Query Ask(std::string_view sql, std::initializer_list<Value> values = {});
-  void Run(std::string_view sql, std::initializer_list<Value> values = {});
-  // Several statements, not cached, without values.
-  void RunScript(const std::string& sql);
-  std::int64_t last_key() const;
-  bool in_transaction() const;
+  using Database::Ask;
+  Query Ask(std::string_view sql, std::span<const Value> values) override;
+  void Each(const std::string& sql, const std::function<void(const Cursor&)>& row) override;
+  void RunScript(const std::string& sql) override;
+  void BeginRead() override { Run("BEGIN"); }
+  void BeginWrite() override { Run("BEGIN IMMEDIATE"); }
+  void Commit() override { Run("COMMIT"); }
+  void RollBack() override { Run("ROLLBACK"); }
+  bool in_transaction() const override;
+  Dialect dialect() const override { return Dialect::kSqlite; }
 
   // Pages in the write-ahead log after this connection's last commit.
   int log_pages() const { return log_pages_; }
@@ -71,20 +50,6 @@ class Database {
   sqlite3* connection_ = nullptr;
   std::map<std::string, sqlite3_stmt*, std::less<>> statements_;
   int log_pages_ = 0;
-};
-
-// Rolled back unless committed.
-class Transaction {
- public:
-  enum class Kind { kRead, kWrite };
-  Transaction(Database& database, Kind kind);
-  ~Transaction();
-  Transaction(const Transaction&) = delete;
-  Transaction& operator=(const Transaction&) = delete;
-  void Commit();
-
- private:
-  Database& database_;
 };
 
 }  // namespace lares::store

@@ -3,18 +3,13 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/hash.h"
-#include "server/store/documents.h"
-#include "server/store/environments.h"
-#include "server/store/schema.h"
-#include "server/store/verify.h"
+#include "server/store/folder_lock.h"
+#include "server/store/sqlite_file.h"
 
 namespace lares::store {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kDatabaseFile = "lares.sqlite";
 
 // `folder` and the folders above it, each durable in the one above.
 void MakeFolders(const fs::path& folder, Files& files) {
@@ -39,7 +34,8 @@ ReaderPool::Lease::Lease(ReaderPool& pool) : pool_(pool) {
     }
   }
   if (!database_) {
-    database_ = std::make_unique<Database>(pool_.file_, Database::Access::kRead, pool_.vfs_);
+    database_ =
+        std::make_unique<SqliteDatabase>(pool_.file_, SqliteDatabase::Access::kRead, pool_.vfs_);
   }
 }
 
@@ -49,10 +45,9 @@ ReaderPool::Lease::~Lease() {
 }
 
 SqliteStore::SqliteStore(const fs::path& folder, const Seams& seams)
-    : lock_(folder / "lock"),
-      blobs_(folder, *seams.files, health_),
+    : SqlStore(folder, *seams.files, std::make_unique<FolderLock>(folder / "lock")),
       checkpoint_pages_(seams.checkpoint_pages),
-      writer_(folder / kDatabaseFile, Database::Access::kWrite, seams.sqlite_vfs),
+      writer_(folder / kDatabaseFile, SqliteDatabase::Access::kWrite, seams.sqlite_vfs),
       readers_(folder / kDatabaseFile, seams.sqlite_vfs) {
   PrepareForWriting(writer_, folder / kDatabaseFile);
   // What a crashed or failed process left in the log may be visible without being durable: it is
@@ -65,26 +60,29 @@ SqliteStore::~SqliteStore() {
   if (health_.reason().empty()) writer_.TidyOnClose();
 }
 
-template <typename Work>
-auto SqliteStore::Read(Work work) const {
+void SqliteStore::Reading(const Work& work) const {
   const ReaderPool::Lease lease(readers_);
   const Transaction snapshot(*lease, Transaction::Kind::kRead);
-  return work(*lease);
+  work(*lease);
 }
 
-template <typename Work>
-auto SqliteStore::Write(Work work) {
+void SqliteStore::Writing(const Work& work) {
   const std::lock_guard lock(writer_mutex_);
   health_.Check();
-  const auto result = health_.Guard([&] {
+  health_.Guard([&] {
     Transaction transaction(writer_, Transaction::Kind::kWrite);
-    auto done = work(writer_);
+    work(writer_);
     transaction.Commit();
-    return done;
   });
   CheckpointIfDue();
-  return result;
 }
+
+std::vector<std::string> SqliteStore::VerifyFile(Database& database) const {
+  return VerifySqliteFile(database);
+}
+
+// This process alone has the store open, and it has locks of its own.
+std::unique_ptr<Hold> SqliteStore::HoldCatalogue() { return std::make_unique<Hold>(); }
 
 // What was committed stays committed when this fails; only further writes are refused.
 void SqliteStore::CheckpointIfDue() {
@@ -94,95 +92,6 @@ void SqliteStore::CheckpointIfDue() {
   } catch (const Error& error) {
     health_.Fail(error.what());
   }
-}
-
-std::unique_ptr<BlobWriter> SqliteStore::NewBlob() { return blobs_.New(); }
-
-fs::path SqliteStore::BlobPath(const std::string& sha256) const { return blobs_.PathOf(sha256); }
-
-std::string SqliteStore::ReadBlob(const std::string& sha256) const { return blobs_.Read(sha256); }
-
-DocumentInfo SqliteStore::PutDocument(const NewDocument& document) {
-  CheckNewDocument(document);
-  health_.Check();
-  const std::string sha256 = Sha256Hex(document.bytes);
-  const auto already_stored = [&](Database& database) {
-    return AlreadyStored(database, document, sha256);
-  };
-  // Asked before the bytes are written, so that refusals and repetitions leave nothing behind, and
-  // again in the transaction, where it counts.
-  if (std::optional<DocumentInfo> same = Read(already_stored)) return *std::move(same);
-  const Blob blob = blobs_.Put(document.bytes);
-  return Write([&](Database& database) {
-    if (std::optional<DocumentInfo> same = already_stored(database)) return *std::move(same);
-    return AddDocument(database, document, blob);
-  });
-}
-
-std::optional<DocumentInfo> SqliteStore::FindDocument(DocumentKind kind,
-                                                      const std::string& id) const {
-  return Read([&](Database& database) { return store::FindDocument(database, kind, id); });
-}
-
-DocumentInfo SqliteStore::GetDocument(DocumentKind kind, const std::string& id, int version) const {
-  return Read([&](Database& database) { return store::GetDocument(database, kind, id, version); });
-}
-
-std::vector<DocumentInfo> SqliteStore::ListDocuments(DocumentKind kind) const {
-  return Read([&](Database& database) { return store::ListDocuments(database, kind); });
-}
-
-std::vector<DocumentInfo> SqliteStore::DocumentLog(DocumentKind kind, const std::string& id) const {
-  return Read([&](Database& database) { return store::DocumentLog(database, kind, id); });
-}
-
-void SqliteStore::DeleteDocument(DocumentKind kind, const std::string& id) {
-  Write([&](Database& database) {
-    store::DeleteDocument(database, kind, id);
-    return true;
-  });
-}
-
-std::vector<std::pair<DocumentInfo, DocumentName>> SqliteStore::FindByName(
-    DocumentKind kind, const std::string& text) const {
-  return Read([&](Database& database) { return store::FindByName(database, kind, text); });
-}
-
-EnvironmentVersion SqliteStore::PutVersion(const NewVersion& version) {
-  CheckNewVersion(version);
-  health_.Check();
-  NewVersion sized = version;
-  for (LayerInfo& layer : sized.layers) {
-    layer.blob.size = blobs_.SizeOf(layer.blob.sha256);
-    blobs_.MakeDurable(layer.blob.sha256);
-  }
-  return Write([&](Database& database) { return AddVersion(database, sized); });
-}
-
-std::optional<EnvironmentInfo> SqliteStore::FindEnvironment(const std::string& id) const {
-  return Read([&](Database& database) { return store::FindEnvironment(database, id); });
-}
-
-std::vector<EnvironmentInfo> SqliteStore::ListEnvironments() const {
-  return Read([&](Database& database) { return store::ListEnvironments(database); });
-}
-
-EnvironmentVersion SqliteStore::GetVersion(const std::string& id, int number) const {
-  return Read([&](Database& database) { return store::GetVersion(database, id, number); });
-}
-
-std::vector<EnvironmentVersion> SqliteStore::Log(const std::string& id) const {
-  return Read([&](Database& database) { return EnvironmentLog(database, id); });
-}
-
-std::string SqliteStore::health() const { return health_.reason(); }
-
-std::vector<std::string> SqliteStore::Verify() const {
-  std::vector<std::string> problems =
-      Read([&](Database& database) { return VerifyDatabase(database, blobs_); });
-  const std::vector<std::string> damaged = blobs_.Verify();
-  problems.insert(problems.end(), damaged.begin(), damaged.end());
-  return problems;
 }
 
 std::unique_ptr<Store> OpenSqliteStore(const StoreOptions& options, const Seams& seams) {

@@ -7,12 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "server/store/blobs.h"
 #include "server/store/files.h"
-#include "server/store/folder_lock.h"
-#include "server/store/health.h"
+#include "server/store/sql_store.h"
 #include "server/store/sqlite.h"
-#include "server/store/store.h"
 
 namespace lares::store {
 
@@ -40,58 +37,33 @@ class ReaderPool {
 
    private:
     ReaderPool& pool_;
-    std::unique_ptr<Database> database_;
+    std::unique_ptr<SqliteDatabase> database_;
   };
 
  private:
   std::filesystem::path file_;
   std::string vfs_;
   std::mutex mutex_;
-  std::vector<std::unique_ptr<Database>> idle_;
+  std::vector<std::unique_ptr<SqliteDatabase>> idle_;
 };
 
-class SqliteStore final : public Store {
+class SqliteStore final : public SqlStore {
  public:
   SqliteStore(const std::filesystem::path& folder, const Seams& seams);
   ~SqliteStore() override;
 
-  std::unique_ptr<BlobWriter> NewBlob() override;
-  std::filesystem::path BlobPath(const std::string& sha256) const override;
-  std::string ReadBlob(const std::string& sha256) const override;
-
-  DocumentInfo PutDocument(const NewDocument& document) override;
-  std::optional<DocumentInfo> FindDocument(DocumentKind kind, const std::string& id) const override;
-  DocumentInfo GetDocument(DocumentKind kind, const std::string& id, int version) const override;
-  std::vector<DocumentInfo> ListDocuments(DocumentKind kind) const override;
-  std::vector<DocumentInfo> DocumentLog(DocumentKind kind, const std::string& id) const override;
-  void DeleteDocument(DocumentKind kind, const std::string& id) override;
-  std::vector<std::pair<DocumentInfo, DocumentName>> FindByName(
-      DocumentKind kind, const std::string& text) const override;
-
-  EnvironmentVersion PutVersion(const NewVersion& version) override;
-  std::optional<EnvironmentInfo> FindEnvironment(const std::string& id) const override;
-  std::vector<EnvironmentInfo> ListEnvironments() const override;
-  EnvironmentVersion GetVersion(const std::string& id, int number) const override;
-  std::vector<EnvironmentVersion> Log(const std::string& id) const override;
-
-  std::string health() const override;
-  std::vector<std::string> Verify() const override;
+  bool shared() const override { return false; }
+  std::unique_ptr<Hold> HoldCatalogue() override;
 
  private:
-  // `work(database)` in one snapshot.
-  template <typename Work>
-  auto Read(Work work) const;
-  // `work(database)` in one transaction, durable when this returns.
-  template <typename Work>
-  auto Write(Work work);
+  void Reading(const Work& work) const override;
+  void Writing(const Work& work) override;
+  std::vector<std::string> VerifyFile(Database& database) const override;
   void CheckpointIfDue();
 
-  FolderLock lock_;
-  mutable Health health_;
-  BlobFolder blobs_;
   const int checkpoint_pages_;
   std::mutex writer_mutex_;
-  Database writer_;
+  SqliteDatabase writer_;
   mutable ReaderPool readers_;  // closed before the writer, which tidies up
 };
 

@@ -24,6 +24,18 @@ std::string_view ToString(DocumentKind kind) {
   return "ontology";
 }
 
+std::string_view ToString(Origin origin) {
+  switch (origin) {
+    case Origin::kPut:
+      return "put";
+    case Origin::kRollback:
+      return "rollback";
+    case Origin::kMerge:
+      return "merge";
+  }
+  return "put";
+}
+
 std::unique_ptr<Store> OpenSqliteStore(const StoreOptions& options) {
   return OpenSqliteStore(options, Seams{});
 }

@@ -7,29 +7,17 @@ namespace {
 
 using Problems = std::vector<std::string>;
 
-void VerifyFile(Database& database, Problems& problems) {
-  Query pages = database.Ask("PRAGMA integrity_check");
-  while (pages.Next()) {
-    if (pages.Text(0) != "ok") problems.push_back("database: " + pages.Text(0));
-  }
-  Query keys = database.Ask("PRAGMA foreign_key_check");
-  while (keys.Next()) {
-    problems.push_back("database: a row of " + keys.Text(0) + " refers to no row of " +
-                       keys.Text(2));
-  }
-}
-
-// Versions are numbered 1 … latest.
+// Documents' versions are numbered 1 … latest, environments' 1 … count, the head among them.
 void VerifyNumbers(Database& database, Problems& problems) {
   constexpr std::string_view kGaps[] = {
       "SELECT d.kind || ' ' || d.id, d.latest, count(v.key), coalesce(max(v.number), 0) "
       "FROM documents d LEFT JOIN document_versions v ON v.document = d.key "
       "GROUP BY d.key HAVING count(v.key) <> d.latest OR coalesce(max(v.number), 0) <> d.latest "
       "OR min(v.number) <> 1",
-      "SELECT 'environment ' || e.id, e.latest, count(v.key), coalesce(max(v.number), 0) "
+      "SELECT 'environment ' || e.id, e.count, count(v.key), coalesce(max(v.number), 0) "
       "FROM environments e LEFT JOIN environment_versions v ON v.environment = e.key "
-      "GROUP BY e.key HAVING count(v.key) <> e.latest OR coalesce(max(v.number), 0) <> e.latest "
-      "OR min(v.number) <> 1"};
+      "GROUP BY e.key HAVING count(v.key) <> e.count OR coalesce(max(v.number), 0) <> e.count "
+      "OR min(v.number) <> 1 OR e.latest > e.count OR e.latest < 1"};
   for (const std::string_view sql : kGaps) {
     Query query = database.Ask(sql);
     while (query.Next()) {
@@ -54,10 +42,29 @@ void VerifyNames(Database& database, Problems& problems) {
   Query query = database.Ask(
       "SELECT d.kind, d.id, v.number, n.text FROM document_names n "
       "JOIN document_versions v ON v.key = n.version JOIN documents d ON d.key = v.document "
-      "WHERE n.current <> (v.number = d.latest AND d.deleted = 0)");
+      "WHERE n.current <> CASE WHEN v.number = d.latest AND d.deleted = 0 THEN 1 ELSE 0 END");
   while (query.Next()) {
     problems.push_back(query.Text(0) + " " + query.Text(1) + " version " + query.Text(2) +
                        ": name '" + query.Text(3) + "' is wrongly current or not current");
+  }
+}
+
+// Tags, pins and parents name versions that there are.
+void VerifyNumbersNamed(Database& database, Problems& problems) {
+  constexpr std::string_view kNamed[] = {
+      "SELECT 'tag ' || t.name || ' of environment ' || t.environment, t.number FROM tags t "
+      "JOIN environments e ON e.id = t.environment WHERE t.number < 1 OR t.number > e.count",
+      "SELECT 'the pin of robot ' || p.robot || ' in environment ' || p.environment, p.number "
+      "FROM pins p JOIN environments e ON e.id = p.environment "
+      "WHERE p.number < 1 OR p.number > e.count",
+      "SELECT 'environment ' || e.id, v.base FROM environment_versions v JOIN environments e "
+      "ON e.key = v.environment WHERE v.base < 0 OR v.base >= v.number"};
+  for (const std::string_view sql : kNamed) {
+    Query query = database.Ask(sql);
+    while (query.Next()) {
+      problems.push_back(query.Text(0) + " refers to version " + query.Text(1) +
+                         ", which there is not");
+    }
   }
 }
 
@@ -80,12 +87,12 @@ void VerifyReferences(Database& database, const BlobFolder& blobs, Problems& pro
 
 }  // namespace
 
-std::vector<std::string> VerifyDatabase(Database& database, const BlobFolder& blobs) {
+std::vector<std::string> VerifyRows(Database& database, const BlobFolder& blobs) {
   Problems problems;
-  VerifyFile(database, problems);
   VerifyNumbers(database, problems);
   VerifyLayers(database, problems);
   VerifyNames(database, problems);
+  VerifyNumbersNamed(database, problems);
   VerifyReferences(database, blobs, problems);
   return problems;
 }

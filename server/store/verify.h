@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "server/store/blobs.h"
-#include "server/store/sqlite.h"
+#include "server/store/database.h"
 
 namespace lares::store {
 
 // One sentence for each thing that is wrong. Runs in the caller's transaction; the bytes of blobs
 // are BlobFolder::Verify's part.
-std::vector<std::string> VerifyDatabase(Database& database, const BlobFolder& blobs);
+std::vector<std::string> VerifyRows(Database& database, const BlobFolder& blobs);
 
 }  // namespace lares::store

@@ -23,7 +23,12 @@ function card(count, label, link) {
 async function show() {
   const line = document.getElementById("status");
   try {
-    const status = await (await fetch("/v1/status")).json();
+    const answer = await fetch("/v1/status");
+    if (answer.status === 401) {
+      line.textContent = "This server answers questions only to those who show a token.";
+      return;
+    }
+    const status = await answer.json();
     const cards = document.getElementById("cards");
     for (const [key, label, link] of kinds) cards.append(card(status.counts[key], label, link));
     const minutes = Math.floor(status.uptime_s / 60);

@@ -24,6 +24,7 @@ const std::map<std::string, std::string> kDoors = {
     {"serd/", "ontology/rdf"},           {"raptor2", "ontology/rdf"},
     {"libxml/", "ontology/rdf"},         {"SWI-Prolog.h", "reasoner/prolog"},
     {"SWI-Stream.h", "reasoner/prolog"}, {"sqlite3.h", "server/store"},
+    {"libpq-fe.h", "server/store"},      {"openssl/ssl.h", "server/http"},
     {"httplib.h", "server/http"},        {"octomap/", "mapping/environment"},
     {"ceres/", "mapping/slam"},          {"pcre2.h", "reasoner/sparql"},
     {"urdf_parser/", "robots/urdf"},     {"console_bridge/", "robots/urdf"}};

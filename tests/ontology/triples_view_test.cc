@@ -151,7 +151,8 @@ TEST_F(ViewTest, CursorGivesTheSameAnswersAndPinsItsView) {
       layer = top;
       const View view =
           View(dictionary_).With(LayerOf(":a :p :b , :c .", "one")).With(std::move(top));
-      cursor.emplace(view, Pattern{Id(":a"), Id(":p"), {}}, Origin::kAsserted);
+      cursor.emplace(std::make_shared<const View>(view), Pattern{Id(":a"), Id(":p"), {}},
+                     Origin::kAsserted);
     }
     std::set<Triple> found;
     Triple triple;

@@ -31,6 +31,19 @@ TEST_F(EnginePoolTest, AllAnswersComeInOrder) {
   EXPECT_EQ(Once("count", {I(3)}), I(1));
 }
 
+// Nothing of it is lost, whoever asks: dicts and strings, and atoms that nothing else holds.
+TEST_F(EnginePoolTest, AnAnswerThatIsKeptIsAnInputOfOtherGoals) {
+  const Value value = C("f", {{Dict{{"text", S("grüße")}, {"number", {2.5}}}},
+                              {List{A("an atom of this test alone"), I(7)}}});
+  EnginePool pool;
+  RecordRef kept = pool.Keep(EmptyView(), "prolog_test_rules", "echo", {value});
+  EXPECT_EQ(pool.Keep(EmptyView(), "prolog_test_rules", "no", {value}), nullptr);
+  std::thread([&] {
+    EXPECT_EQ(Once("echo", {{List{{kept}, I(1)}}}), (Value{List{value, I(1)}}));
+  }).join();
+  std::thread([last = std::move(kept)]() mutable { last.reset(); }).join();  // without an engine
+}
+
 TEST_F(EnginePoolTest, MoreAnswersThanAllowedAreTooLarge) {
   EXPECT_EQ(All("count", {I(5)}, EmptyView(), Limits{.max_answers = 5}).size(), 5u);
   EXPECT_EQ(ErrorOf("count", {I(6)}, EmptyView(), Limits{.max_answers = 5}).code(),

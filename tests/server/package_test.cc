@@ -45,6 +45,9 @@ class PackageTest : public KnowledgeFixture {
     Put(store::DocumentKind::kRobot, "small",
         SizedRobot("small", "lares:footprintRadius_m 0.6 ; lares:bodyHeight_m 1.4"));
     Put(store::DocumentKind::kRobot, "plain", BaseOnlyRobot("plain"));
+    Put(store::DocumentKind::kRobot, "seer",
+        BaseOnlyRobot("seer") +
+            ":seer lares:subComponent :seer_eye . :seer_eye a lares:ORBbasedObjectRecognition .\n");
   }
   void PutModel(const std::string& id, const std::string& of) {
     server::PutRequest request;
@@ -53,7 +56,7 @@ class PackageTest : public KnowledgeFixture {
     request.file_name = id + ".ttl";
     request.bytes = std::string(kPrefixes) + ":" + id + " a lares:ObjectRecognitionModel ; " +
                     "lares:providesModelFor lares:" + of + " .\n";
-    request.files.push_back({"face.ply", "application/ply", PutBlob("ply of " + id)});
+    request.files.push_back({"face.png", "image/png", PutBlob("picture of " + id)});
     knowledge_->Put(request);
   }
   void PutPlace(const std::vector<std::pair<std::string, std::string>>& layers) {
@@ -95,7 +98,7 @@ TEST_F(PackageTest, ModelsOfTheClassAndItsSubclassesAreChosenWithTheReason) {
   ASSERT_EQ(same.models.size(), 1U);
   EXPECT_EQ(same.models[0].document.id, "mug_model");
   ASSERT_EQ(same.models[0].files.size(), 1U);
-  EXPECT_EQ(same.models[0].files[0].blob.sha256, Sha256Hex("ply of mug_model"));
+  EXPECT_EQ(same.models[0].files[0].blob.sha256, Sha256Hex("picture of mug_model"));
   EXPECT_THAT(same.reasons, Contains(HasSubstr("the step 'look' needs it (object_class)")));
   const auto wider = Package("small", PlanFor("class", "https://w3id.org/lares#DrinkingVessel"));
   ASSERT_EQ(wider.models.size(), 1U);
@@ -112,10 +115,14 @@ TEST_F(PackageTest, WhatNoModelIsStoredForIsSaid) {
 TEST_F(PackageTest, APlaceWantsTheModelsOfWhatIsTypicalThere) {
   PutModel("mug_model", "Cup");
   PutModel("bed_model", "Bed");
-  const auto package = Package("small", PlanFor("class", "https://w3id.org/lares#Kitchen"));
+  const auto package = Package("seer", PlanFor("class", "https://w3id.org/lares#Kitchen"));
   ASSERT_EQ(package.models.size(), 1U);
   EXPECT_EQ(package.models[0].document.id, "mug_model");
+  EXPECT_EQ(package.models[0].files.size(), 1U);
   EXPECT_THAT(package.reasons, Contains(HasSubstr("is typical of")));
+  const auto blind = Package("small", PlanFor("class", "https://w3id.org/lares#Kitchen"));
+  EXPECT_THAT(blind.models, IsEmpty());
+  EXPECT_THAT(blind.reasons, Contains(HasSubstr("has no object recognition component")));
 }
 
 TEST_F(PackageTest, OutputsOfStepsAndPartsOfTheRobotWantNoModel) {

@@ -67,6 +67,19 @@ TEST_F(SkillsTest, AStoredTemplateChangesTheNextPlanUntilItIsRemoved) {
   EXPECT_FALSE(Plan("Wave").result.plan);
 }
 
+// A recipe is read once for all plans: of its bytes, not of its name.
+TEST_F(SkillsTest, ARecipeThatIsPutAgainChangesTheNextPlan) {
+  PutRobot();
+  Put(DocumentKind::kSkillTemplate, "follow", Turtle(Template("Follow", "lares:DownloadingData")));
+  Put(DocumentKind::kRecipe, "wave", Turtle(Step("Wave", "a", "lares:DownloadingData")));
+  ASSERT_TRUE(Plan("Wave").result.plan);
+  EXPECT_EQ(Plan("Wave").result.plan->states[0].skill, "Follow");
+  Put(DocumentKind::kRecipe, "wave", Turtle(Step("Wave", "b", "lares:Waiting")));
+  ASSERT_TRUE(Plan("Wave").result.plan);
+  EXPECT_EQ(Plan("Wave").result.plan->states[0].id, "b");
+  EXPECT_NE(Plan("Wave").result.plan->states[0].skill, "Follow");
+}
+
 TEST_F(SkillsTest, AStoredTemplateIsThereAfterARestart) {
   Put(DocumentKind::kSkillTemplate, "follow", Turtle(Template("Follow", "lares:DownloadingData")));
   Open();

@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "server/store/store.h"
+#include "tests/server/own_postgres.h"
 
 namespace lares::store::testing {
 
@@ -43,13 +44,23 @@ inline std::filesystem::path FastFolder() {
                                                         : std::filesystem::temp_directory_path();
 }
 
+// On SQLite; on a PostgreSQL of the tests' own where LARES_TEST_STORE is "postgres". Every test of
+// this fixture is run on both.
 class StoreTest : public ::testing::Test {
  protected:
-  StoreTest() { Reopen(); }
+  StoreTest() {
+    const char* kind = std::getenv("LARES_TEST_STORE");
+    if (kind != nullptr && std::string_view(kind) == "postgres") {
+      postgres_ = SharedPostgres().NewDatabase();
+    }
+    Reopen();
+  }
 
+  // The same store, as another process would open it.
   void Reopen() {
     store_.reset();
-    store_ = OpenSqliteStore({folder_.path()});
+    store_ = postgres_.empty() ? OpenSqliteStore({folder_.path()})
+                               : OpenPostgresStore({postgres_, folder_.path()});
   }
   void TearDown() override {
     if (!store_) return;
@@ -62,7 +73,8 @@ class StoreTest : public ::testing::Test {
     return writer->Commit();
   }
 
-  TemporaryFolder folder_;
+  TemporaryFolder folder_{FastFolder()};
+  std::string postgres_;  // the connection; empty: SQLite
   std::unique_ptr<Store> store_;
 };
 

@@ -1,13 +1,20 @@
-// A process that writes is killed at any moment, twenty times; what it had acknowledged is there.
+// A process that writes is killed at any moment, again and again (LARES_KILLS times, 20 without);
+// what it had acknowledged is there. Once over SQLite, once beside another process over PostgreSQL.
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
+#include <climits>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <functional>
 #include <random>
 #include <sstream>
+#include <stdexcept>
 #include <thread>
 
 #include "server/store/sqlite_store.h"
@@ -19,9 +26,18 @@ namespace {
 
 using ::testing::IsEmpty;
 
-constexpr int kKills = 20;
+// Of so many kills the writes are counted too.
+constexpr int kManyKills = 100;
 constexpr int kWriters = 2;
+constexpr int kSurvivor = 10;  // the first writer of the process that is not killed
 constexpr DocumentKind kRecipe = DocumentKind::kRecipe;
+
+int Kills() {
+  const char* kills = std::getenv("LARES_KILLS");
+  return kills == nullptr ? 20 : std::max(1, std::atoi(kills));
+}
+
+using Opener = std::function<std::unique_ptr<Store>()>;
 
 std::unique_ptr<Store> Open(const std::filesystem::path& folder) {
   Seams seams;
@@ -103,14 +119,15 @@ class ChildWriter {
   std::minstd_rand random_;
 };
 
-[[noreturn]] void RunChild(const std::filesystem::path& folder, int pipe, unsigned seed) {
+// Its writers are called `first`, `first` + 1, …
+[[noreturn]] void RunChild(const Opener& open, int pipe, unsigned seed, int first = 0) {
   try {
-    const std::unique_ptr<Store> store = Open(folder);
+    const std::unique_ptr<Store> store = open();
     std::vector<std::thread> threads;
     for (int i = 0; i < kWriters; ++i) {
       threads.emplace_back([&, i] {
         try {
-          ChildWriter(*store, pipe, i, seed * 100 + static_cast<unsigned>(i)).Run();
+          ChildWriter(*store, pipe, first + i, seed * 100 + static_cast<unsigned>(i)).Run();
         } catch (const std::exception& error) {
           std::fprintf(stderr, "writer %d: %s\n", i, error.what());
           ::_exit(3);
@@ -196,38 +213,136 @@ void ListenAndKill(pid_t child, int pipe, int enough, std::chrono::microseconds 
   EXPECT_EQ(pending, "");
 }
 
-TEST(StoreKillTest, EveryAcknowledgedWriteSurvivesTwentyKills) {
+struct Child {
+  pid_t pid = -1;
+  int pipe = -1;
+};
+
+Child StartChild(const Opener& open, unsigned seed, int first = 0) {
+  int pipe[2];
+  if (::pipe(pipe) != 0) throw std::runtime_error("no pipe");
+  const pid_t pid = ::fork();
+  if (pid == 0) {
+    ::close(pipe[0]);
+    RunChild(open, pipe[1], seed, first);
+  }
+  ::close(pipe[1]);
+  return {pid, pipe[0]};
+}
+
+void ExpectKilled(const Child& child) {
+  ::close(child.pipe);
+  int status = 0;
+  ASSERT_EQ(::waitpid(child.pid, &status, 0), child.pid);
+  ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) << "it ended by itself";
+}
+
+std::set<std::string> UnderWay(const Heard& heard) {
+  std::set<std::string> ids;
+  for (const auto& [writer, id] : heard.under_way) ids.insert(id);
+  return ids;
+}
+
+TEST(StoreKillTest, EveryAcknowledgedWriteSurvivesKills) {
   const TemporaryFolder folder;
+  const Opener open = [&] { return Open(folder.path()); };
+  const int kills = Kills();
   Heard heard;
   std::mt19937 random(20);
-  for (int round = 0; round < kKills; ++round) {
+  for (int round = 0; round < kills; ++round) {
     SCOPED_TRACE("round " + std::to_string(round));
     // Some are killed while they open.
-    const int enough = round % 5 == 0 ? 0 : static_cast<int>(random() % 40);
+    const int enough = round % 5 == 0 ? 0 : static_cast<int>(random() % 60);
     const std::chrono::microseconds then(random() % 15000);
-    int pipe[2];
-    ASSERT_EQ(::pipe(pipe), 0);
-    const pid_t child = ::fork();
-    if (child == 0) {
-      ::close(pipe[0]);
-      RunChild(folder.path(), pipe[1], static_cast<unsigned>(round) + 1);
-    }
-    ::close(pipe[1]);
-    ListenAndKill(child, pipe[0], enough, then, heard);
-    ::close(pipe[0]);
-    int status = 0;
-    ASSERT_EQ(::waitpid(child, &status, 0), child);
-    ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) << "it ended by itself";
+    const Child child = StartChild(open, static_cast<unsigned>(round) + 1);
+    ListenAndKill(child.pid, child.pipe, enough, then, heard);
+    ExpectKilled(child);
 
-    const std::unique_ptr<Store> store = Open(folder.path());
-    std::set<std::string> under_way;
-    for (const auto& [writer, id] : heard.under_way) under_way.insert(id);
+    const std::unique_ptr<Store> store = open();
+    const std::set<std::string> under_way = UnderWay(heard);
     ASSERT_THAT(Missing(*store, heard.ledger, under_way), IsEmpty());
-    ASSERT_THAT(store->Verify(), IsEmpty());
+    // It reads all bytes: with many kills not each time.
+    if (kills < kManyKills || round % 25 == 0 || round + 1 == kills) {
+      ASSERT_THAT(store->Verify(), IsEmpty());
+    }
     Absorb(*store, under_way, heard.ledger);
     heard.under_way.clear();
   }
-  EXPECT_GT(heard.acknowledged, 200);
+  EXPECT_GT(heard.acknowledged, kills < kManyKills ? 10 * kills : 20 * kills);
+  std::printf("%d kills, %d acknowledged writes\n", kills, heard.acknowledged);
+}
+
+// Reads whatever version there is, over and over, until it is told to stop: every one has to be
+// whole, its bytes those of its hash.
+int ReadAll(Store& store, const std::atomic<bool>& stop) {
+  int reads = 0;
+  while (!stop) {
+    for (const EnvironmentInfo& info : store.ListEnvironments()) {
+      const EnvironmentVersion version = store.GetVersion(info.id, 0);
+      EXPECT_GE(version.number, info.latest);
+      EXPECT_FALSE(version.layers.empty());
+      for (const LayerInfo& layer : version.layers) {
+        EXPECT_EQ(store.ReadBlob(layer.blob.sha256).size(), layer.blob.size);
+        ++reads;
+      }
+    }
+    for (const DocumentInfo& document : store.ListDocuments(kRecipe)) {
+      EXPECT_EQ(store.ReadBlob(document.blob.sha256).size(), document.blob.size);
+      ++reads;
+    }
+  }
+  return reads;
+}
+
+TEST(StoreKillTest, TwoProcessesOverOnePostgresLoseNothingWhenOneIsKilledAgainAndAgain) {
+  const TemporaryFolder blobs(FastFolder());
+  const std::string connection = SharedPostgres().NewDatabase();
+  const Opener open = [&] { return OpenPostgresStore({connection, blobs.path()}); };
+  Heard steady;
+  Heard killed;
+  for (const char* kind : {"document-", "room-"}) {
+    for (int i = 0; i < kWriters; ++i) {
+      killed.ledger.of_others.insert(kind + std::to_string(kSurvivor + i));
+      steady.ledger.of_others.insert(kind + std::to_string(i));
+    }
+  }
+  const Child survivor = StartChild(open, 7777, kSurvivor);
+  std::thread listener([&] { ListenAndKill(survivor.pid, survivor.pipe, INT_MAX, {}, steady); });
+  std::atomic<bool> stop = false;
+  int reads = 0;
+  std::thread reader([&] {
+    const std::unique_ptr<Store> store = open();
+    reads = ReadAll(*store, stop);
+  });
+  std::mt19937 random(21);
+  const int kills = Kills();
+  for (int round = 0; round < kills; ++round) {
+    SCOPED_TRACE("round " + std::to_string(round));
+    const int enough = round % 5 == 0 ? 0 : static_cast<int>(random() % 30);
+    const Child child = StartChild(open, static_cast<unsigned>(round) + 1);
+    ListenAndKill(child.pid, child.pipe, enough, std::chrono::microseconds(random() % 15000),
+                  killed);
+    ExpectKilled(child);
+    const std::unique_ptr<Store> store = open();
+    const std::set<std::string> under_way = UnderWay(killed);
+    EXPECT_THAT(Missing(*store, killed.ledger, under_way), IsEmpty());
+    Absorb(*store, under_way, killed.ledger);
+    killed.under_way.clear();
+    if (::testing::Test::HasFailure()) break;
+  }
+  ::kill(survivor.pid, SIGKILL);
+  listener.join();
+  ExpectKilled(survivor);
+  stop = true;
+  reader.join();
+  const std::unique_ptr<Store> store = open();
+  EXPECT_THAT(Missing(*store, steady.ledger, UnderWay(steady)), IsEmpty());
+  EXPECT_THAT(store->Verify(), IsEmpty());
+  EXPECT_GT(steady.acknowledged, 100);
+  EXPECT_GT(killed.acknowledged, kills);
+  EXPECT_GT(reads, 100);
+  std::printf("%d kills, %d acknowledged writes, %d reads\n", kills,
+              steady.acknowledged + killed.acknowledged, reads);
 }
 
 }  // namespace

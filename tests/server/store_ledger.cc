@@ -26,17 +26,20 @@ class Comparison {
     for (const auto& [id, versions] : ledger_.documents) CompareDocument(id, versions);
     for (const auto& [id, versions] : ledger_.environments) CompareEnvironment(id, versions);
     for (const DocumentInfo& info : store_.ListDocuments(kKind)) {
-      Expect(ledger_.documents.count(info.id) != 0 || IsUnderWay(info.id),
+      Expect(ledger_.documents.count(info.id) != 0 || IsKnown(info.id),
              info.id + " is listed, but was never put");
     }
     for (const EnvironmentInfo& info : store_.ListEnvironments()) {
-      Expect(ledger_.environments.count(info.id) != 0 || IsUnderWay(info.id),
+      Expect(ledger_.environments.count(info.id) != 0 || IsKnown(info.id),
              info.id + " is listed, but was never put");
     }
     return missing_;
   }
 
  private:
+  bool IsKnown(const std::string& id) const {
+    return under_way_.count(id) != 0 || ledger_.of_others.count(id) != 0;
+  }
   bool IsUnderWay(const std::string& id) const { return under_way_.count(id) != 0; }
   void Expect(bool holds, const std::string& otherwise) {
     if (!holds) missing_.push_back(otherwise);

@@ -16,6 +16,7 @@ struct Ledger {
   // Environment → layers (name → SHA-256) by version.
   std::map<std::string, std::vector<std::map<std::string, std::string>>> environments;
   std::map<std::string, std::string> blobs;  // SHA-256 → bytes
+  std::set<std::string> of_others;           // ids that somebody else writes: not looked at
 };
 
 // One sentence for each acknowledged write that `store` lacks or shows otherwise, and for each

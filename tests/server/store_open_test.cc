@@ -6,6 +6,8 @@
 #include <fstream>
 
 #include "base/file.h"
+#include "base/hash.h"
+#include "tests/server/old_schemas.h"
 #include "tests/server/store_fixture.h"
 
 namespace lares::store::testing {
@@ -90,28 +92,69 @@ TEST_F(OpenTest, NewerSchemaIsRefusedByItsNumberAndLeftAlone) {
   const Error error = OpenError();
   EXPECT_EQ(error.code(), Code::kInvalid);
   EXPECT_THAT(error.what(), HasSubstr("schema 7"));
-  RunSql(folder_.path() / "lares.sqlite", "UPDATE schema_version SET version = 2");
+  EXPECT_THROW(MigrateSqliteStore({folder_.path()}), Error);
+  RunSql(folder_.path() / "lares.sqlite", "UPDATE schema_version SET version = 3");
   EXPECT_TRUE(Open()->FindDocument(DocumentKind::kRecipe, "a"));
 }
 
-TEST_F(OpenTest, StoreOfTheFirstSchemaIsBroughtToThisOneWithItsVersions) {
-  {
-    const std::unique_ptr<Store> store = Open();
-    const std::unique_ptr<BlobWriter> writer = store->NewBlob();
-    NewVersion version = Version("e", {Layer("a", writer->Commit())});
-    version.type_iri = "t";
-    version.label = "l";
-    store->PutVersion(version);
+class OldStoreTest : public OpenTest, public ::testing::WithParamInterface<int> {
+ protected:
+  OldStoreTest() {
+    Open();  // for its folders
+    fs::remove(file_);
+    RunSql(file_, kSchema2);
+    if (GetParam() == 1) RunSql(file_, kBackToSchema1);
+    for (const std::string text : {"one", "two"}) {
+      const std::string sha256 = Sha256Hex(text);
+      fs::create_directories(folder_.path() / "blobs" / sha256.substr(0, 2));
+      WriteFileAtomically(folder_.path() / "blobs" / sha256.substr(0, 2) / sha256.substr(2), text);
+    }
   }
-  RunSql(folder_.path() / "lares.sqlite",
-         "ALTER TABLE environment_versions DROP COLUMN type_iri;"
-         "ALTER TABLE environment_versions DROP COLUMN label;"
-         "UPDATE schema_version SET version = 1");
-  const std::unique_ptr<Store> store = Open();
-  EXPECT_EQ(store->GetVersion("e", 1).type_iri, "t");
-  EXPECT_EQ(store->GetVersion("e", 1).label, "l");
-  EXPECT_TRUE(store->Verify().empty());
+  const fs::path file_ = folder_.path() / "lares.sqlite";
+};
+
+TEST_P(OldStoreTest, IsRefusedByTheNameOfTheCommandAndLeftAlone) {
+  const std::string before = ReadFile(file_);
+  const Error error = OpenError();
+  EXPECT_EQ(error.code(), Code::kInvalid);
+  EXPECT_THAT(error.what(), HasSubstr("schema " + std::to_string(GetParam())));
+  EXPECT_THAT(error.hint(), HasSubstr("lares store migrate --data " + folder_.path().string()));
+  EXPECT_EQ(ReadFile(file_), before);
 }
+
+TEST_P(OldStoreTest, IsMigratedWithEverythingAndKeptAsItWas) {
+  const std::string before = ReadFile(file_);
+  const MigrationReport report = MigrateSqliteStore({folder_.path()});
+  EXPECT_EQ(report.from, GetParam());
+  EXPECT_EQ(report.to, 3);
+  EXPECT_TRUE(fs::is_regular_file(report.kept_file));
+
+  const std::unique_ptr<Store> store = Open();
+  EXPECT_TRUE(store->Verify().empty());
+  EXPECT_EQ(store->FindDocument(DocumentKind::kRecipe, "fetch")->version, 2);
+  EXPECT_FALSE(store->FindDocument(DocumentKind::kRecipe, "gone"));
+  EXPECT_EQ(store->FindByName(DocumentKind::kRecipe, "Fetch").size(), 1u);
+  const std::vector<EnvironmentVersion> log = store->Log("kitchen");
+  ASSERT_EQ(log.size(), 2u);
+  EXPECT_EQ(log[0].parents, std::vector<int>{1});
+  EXPECT_EQ(log[0].author, "bob");
+  EXPECT_EQ(log[0].label, "Our kitchen");
+  EXPECT_TRUE(log[1].parents.empty());
+  EXPECT_EQ(store->FindEnvironment("kitchen")->count, 2);
+  EXPECT_EQ(store->FindEnvironment("kitchen")->changed, log[0].created);
+  EXPECT_EQ(store->EnvironmentsWithoutKeys(), std::vector<std::string>{"kitchen"});
+  EXPECT_EQ(store->PutVersion(Version("kitchen", {Layer("grid", log[1].layers[0].blob)})).number,
+            3);
+}
+
+TEST_P(OldStoreTest, MigratingTwiceDoesNothingTheSecondTime) {
+  MigrateSqliteStore({folder_.path()});
+  const MigrationReport again = MigrateSqliteStore({folder_.path()});
+  EXPECT_EQ(again.from, again.to);
+  EXPECT_TRUE(again.kept_file.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Schemas, OldStoreTest, ::testing::Values(1, 2));
 
 TEST_F(OpenTest, DatabaseOfAnotherProgramIsRefusedAndLeftAlone) {
   RunSql(folder_.path() / "lares.sqlite", "CREATE TABLE theirs (x)");

@@ -195,6 +195,49 @@ TEST_F(ApiTest, AnObjectModelKeepsItsFiles) {
   EXPECT_EQ(SendForm("PUT", "/v1/object-models/b", {{"file", "x", {}, "a", ""}}).status, 422);
 }
 
+TEST_F(ApiTest, ObjectModelsAreShownWithWhatIsKnownOfThem) {
+  ASSERT_EQ(SendForm("PUT", "/v1/object-models/cabinet1",
+                     {{"description", kTurtle, {}, "cabinet.ttl", "text/turtle"}})
+                .status,
+            201);
+  const auto item = Json(Get("/v1/object-models?class=Cabinet&room=Office&maker=Ada"))["items"][0];
+  EXPECT_EQ(item["fit"], "same");
+  EXPECT_EQ(item["probability"], 0.25);
+  EXPECT_EQ(item["makers"][0]["label"], "Ada");
+  EXPECT_EQ(item["extents"]["depth_m"], 0.6);
+  EXPECT_FALSE(Json(Get("/v1/object-models"))["items"][0].contains("fit"));
+}
+
+TEST_F(ApiTest, TypicalObjectModelsAreChosenWithReasons) {
+  for (const char* id : {"a", "b"}) {
+    ASSERT_EQ(SendForm("PUT", std::string("/v1/object-models/") + id,
+                       {{"description", kTurtle, {}, "it.ttl", "text/turtle"}})
+                  .status,
+              201);
+  }
+  const auto answer =
+      Json(Get("/v1/object-models/typical?room=Office&robot=scout&strict=true&max_models=1"));
+  EXPECT_EQ(answer["room"]["label"], "Office");
+  EXPECT_EQ(answer["robot"]["label"], "scout");
+  ASSERT_EQ(answer["loaded"].size(), 1u);
+  EXPECT_EQ(answer["loaded"][0]["id"], "a");
+  EXPECT_EQ(answer["loaded"][0]["probability"], 0.5);
+  EXPECT_EQ(answer["loaded"][0]["files"][0]["link"], "/v1/object-models/a?version=1");
+  EXPECT_EQ(Get("/v1/object-models/a?version=1").body, kTurtle);
+  EXPECT_EQ(answer["left_out"][0]["verdict"], "too-many");
+  EXPECT_TRUE(Json(Get("/v1/object-models/typical?room=Office"))["robot"].is_null());
+  for (const char* wrong : {"", "?room=", "?room=Office&max_models=-1", "?room=Office&max_bytes=x",
+                            "?room=Office&min_probability=nan", "?room=Office&min_probability=1.5",
+                            "?room=Office&strict=maybe"}) {
+    EXPECT_EQ(Get(std::string("/v1/object-models/typical") + wrong).status, 422) << wrong;
+  }
+  EXPECT_EQ(Get("/v1/object-models/typical?room=Office&robot=nobody").status, 404);
+  EXPECT_EQ(SendForm("PUT", "/v1/object-models/typical",
+                     {{"description", kTurtle, {}, "it.ttl", "text/turtle"}})
+                .status,
+            422);
+}
+
 TEST_F(ApiTest, EverySyntaxOfRdfIsAccepted) {
   for (const std::string type :
        {"application/rdf+xml", "text/turtle", "application/trig", "application/n-triples",

@@ -164,7 +164,7 @@ TEST_F(EnvironmentsTest, FormsThatMakeNoSenseAreRefused) {
   EXPECT_EQ(Put({{"note", std::string(100'000, 'x'), {}, "", ""}}).status, 413);
   EXPECT_EQ(Send("POST", "/v1/environments/lab/versions", "text/turtle", kTurtle).status, 415);
   EXPECT_EQ(SendForm("POST", "/v1/environments/.x/versions", {Semantic()}).status, 422);
-  EXPECT_EQ(Json(Get("/v1/environments"))["count"], 0);
+  EXPECT_TRUE(Json(Get("/v1/environments"))["items"].empty());
 }
 
 TEST_F(EnvironmentsTest, ALayerCanBeLeftOutOfTheNextVersion) {

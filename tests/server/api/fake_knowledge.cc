@@ -124,6 +124,27 @@ std::string Knowledge::RenderSemantic(const std::string& environment, int versio
   return environment + "/" + std::to_string(version) + " as " + std::string(rdf::MediaType(format));
 }
 
+store::Store& Knowledge::store() const { return state_->store; }
+
+bool Knowledge::Refresh() { return false; }
+
+void Knowledge::IndexEnvironments() {}
+
+rdf::Document Knowledge::ReadSemantic(const std::string&, const store::LayerInfo& layer) {
+  return rdf::ReadRdf(state_->store.ReadBlob(layer.blob.sha256), rdf::Format::kTurtle, {});
+}
+
+// By words and layers only.
+std::vector<store::EnvironmentInfo> Knowledge::SearchEnvironments(const EnvironmentQuery& query) {
+  store::EnvironmentSearch search;
+  if (!query.text.empty()) search.all_of.push_back({"word", {query.text}, false});
+  for (const std::string& layer : query.layers) search.all_of.push_back({"layer", {layer}, false});
+  search.changed_from = query.changed_from;
+  search.after = query.after;
+  search.limit = query.limit;
+  return state_->store.SearchEnvironments(search);
+}
+
 std::vector<semantic::MapObject> Knowledge::MapObjects(const std::string&, int) {
   semantic::MapObject bottle;
   bottle.iri = "urn:bottle1";
@@ -158,7 +179,7 @@ TaskPackage Knowledge::MakePackage(const PlanRequest& request, const recipes::Pl
   package.environment_version = version.number;
   package.layers = version.layers;
   package.grid = MakeRobotGrid(request.robot, request.environment, version.number);
-  for (const ObjectModelInfo& info : ObjectModels("")) {
+  for (const ObjectModelInfo& info : ObjectModels({})) {
     PackageModel model{info.document, info.classes, {}, {"because"}};
     const auto details = nlohmann::json::parse(info.document.details_json);
     for (const auto& file : details.value("files", nlohmann::json::array())) {
@@ -244,13 +265,45 @@ WhereAnswer Knowledge::Where(const WhereRequest& request) {
   return answer;
 }
 
-std::vector<ObjectModelInfo> Knowledge::ObjectModels(const std::string& class_name) {
+std::vector<ObjectModelInfo> Knowledge::ObjectModels(const ObjectModelQuery& query) {
   std::vector<ObjectModelInfo> models;
   for (auto& document : state_->store.ListDocuments(store::DocumentKind::kObjectModel)) {
-    models.push_back({document, {{"urn:Cabinet", "Cabinet", ""}}});
+    ObjectModelInfo info;
+    info.document = document;
+    info.classes = {{"urn:Cabinet", "Cabinet", ""}};
+    info.above = {{}};
+    info.makers = {{"", query.maker, ""}};
+    info.extents = {{0.4, 0.8, 0.6}, true, "meta.xml"};
+    if (!query.class_name.empty()) info.fit = ObjectModelInfo::Fit::kSame;
+    if (!query.room.empty()) info.probability = 0.25;
+    const auto details = nlohmann::json::parse(document.details_json);
+    for (const auto& file : details.value("files", nlohmann::json::array())) {
+      info.files.push_back({file["file_name"], file["media_type"], {file["sha256"], file["size"]}});
+    }
+    models.push_back(std::move(info));
   }
-  if (!class_name.empty() && class_name != "Cabinet") models.clear();
+  if (!query.class_name.empty() && query.class_name != "Cabinet") models.clear();
   return models;
+}
+
+// Loads all but those that `max_models` leaves out.
+TypicalAnswer Knowledge::TypicalModels(const TypicalRequest& request) {
+  if (request.robot == "nobody") throw Error(Code::kNotFound, "there is no robot 'nobody'");
+  TypicalAnswer answer;
+  answer.room = {"urn:" + request.room, request.room, ""};
+  if (!request.robot.empty()) answer.robot = {"urn:" + request.robot, request.robot, ""};
+  answer.prior = request.prior.empty() ? "lares" : request.prior;
+  for (ObjectModelInfo& info : ObjectModels({})) {
+    models::Choice choice;
+    choice.id = info.document.id;
+    choice.probability = request.strict ? 0.5 : 0.25;
+    choice.why = "because";
+    const bool fits = answer.loaded.size() < request.max_models.value_or(1000);
+    choice.verdict = fits ? models::Verdict::kLoaded : models::Verdict::kTooMany;
+    auto& list = fits ? answer.loaded : answer.left_out;
+    list.push_back({info, info.classes.front(), choice});
+  }
+  return answer;
 }
 
 recipes::Resource Knowledge::ResolveClass(const std::string& name) {

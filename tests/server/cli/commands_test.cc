@@ -206,6 +206,33 @@ TEST_F(CliTest, AnObjectModelGoesThereAndBack) {
   EXPECT_EQ(ReadFile(out / "face.png"), "pixels");
 }
 
+TEST_F(CliTest, TypicalObjectModelsAreShownAndDownloaded) {
+  const auto description = Write("cabinet.ttl", kTurtle);
+  const auto photo = Write("face.png", "pixels");
+  EXPECT_EQ(Lares({"object-model", "put", photo, description, "--id", "cabinet1"}).code, 0);
+  EXPECT_EQ(Lares({"object-model", "put", description, "--id", "cabinet2"}).code, 0);
+  const auto out = folder_ / "models";
+  const Outcome typical =
+      Lares({"object-model", "typical", "Office", "--max-models", "1", "--download", out.string()});
+  EXPECT_EQ(typical.code, 0) << typical.err;
+  EXPECT_THAT(typical.out, AllOf(HasSubstr("for Office, by table 'lares': 1 model"),
+                                 HasSubstr("cabinet1  25.0 %"), HasSubstr("because"),
+                                 HasSubstr("left out:\n  cabinet2")));
+  EXPECT_EQ(ReadFile(out / "cabinet1/cabinet.ttl"), kTurtle);
+  EXPECT_EQ(ReadFile(out / "cabinet1/face.png"), "pixels");
+  EXPECT_FALSE(std::filesystem::exists(out / "cabinet2"));
+  EXPECT_THAT(ReadFile(out / "typical.json"), HasSubstr("\"loaded\""));
+  // A folder with other things in it stays as it is.
+  EXPECT_NE(Lares({"object-model", "typical", "Office", "--download", out.string()}).code, 0);
+  EXPECT_EQ(ReadFile(out / "cabinet1/face.png"), "pixels");
+  EXPECT_EQ(Lares({"object-model", "typical"}).code, 2);
+  EXPECT_EQ(Lares({"object-model", "typical", "Office", "--robot", "nobody"}).code, 4);
+  EXPECT_THAT(Lares({"object-model", "list", "--room", "Office", "--class", "Cabinet"}).out,
+              AllOf(HasSubstr("25.0 %"), HasSubstr("0.4 × 0.8 × 0.6 m")));
+  EXPECT_THAT(Lares({"object-model", "list", "--class", "Bottle"}).out,
+              HasSubstr("no stored object model is like that"));
+}
+
 TEST_F(CliTest, WithoutAServerItSaysHowToStartOne) {
   server_.reset();
   url_ = "http://127.0.0.1:1";
@@ -243,6 +270,7 @@ TEST_F(CliTest, EveryCommandHasHelpWithExamples) {
                                                        {"object-model", "put"},
                                                        {"object-model", "list"},
                                                        {"object-model", "get"},
+                                                       {"object-model", "typical"},
                                                        {"plan"},
                                                        {"prior", "import"},
                                                        {"prior", "list"},

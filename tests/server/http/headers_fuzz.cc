@@ -1,10 +1,12 @@
 // One text through every reader of a header's value.
 #include <cstdint>
 #include <cstdlib>
+#include <string>
 #include <string_view>
 
 #include "base/error.h"
 #include "server/http/etag.h"
+#include "server/http/header_check.h"
 #include "server/http/media_type.h"
 #include "server/http/origin_check.h"
 #include "server/http/range.h"
@@ -24,6 +26,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   lares::http::ParseMediaType(text);
   lares::http::ChooseMediaType(text, {"text/turtle", "application/rdf+xml"});
   lares::http::ParseQuery(text);
+  lares::http::AwaitedLength(text);
+  lares::http::AwaitedLength("GET / HTTP/1.1\r\nContent-Length:" + std::string(text));
   lares::http::PercentDecode(text);
   try {
     lares::http::Request request;

@@ -16,9 +16,9 @@ Request From(const std::string& method, const std::string& host, const std::stri
   return request;
 }
 
-bool Allowed(const Request& request) {
+bool Allowed(const Request& request, const OriginRules& rules = {}) {
   try {
-    CheckOrigin(request);
+    CheckOrigin(request, rules);
     return true;
   } catch (const Error&) {
     return false;
@@ -39,6 +39,28 @@ TEST(OriginCheckTest, RefusesEveryOtherName) {
         "::1", "127.1", "localhost:1234567"}) {
     EXPECT_FALSE(Allowed(From("GET", host))) << host;
   }
+}
+
+TEST(OriginCheckTest, AnswersToTheNamesThatItWasGivenToo) {
+  const OriginRules rules{{"Lares.example.org", "192.168.1.5"}, false, false};
+  for (const char* host :
+       {"lares.example.org", "LARES.example.org:8080", "192.168.1.5:1", "localhost"}) {
+    EXPECT_TRUE(Allowed(From("GET", host), rules)) << host;
+  }
+  for (const char* host : {"example.org", "x.lares.example.org", "192.168.1.55", "10.0.0.1"}) {
+    EXPECT_FALSE(Allowed(From("GET", host), rules)) << host;
+  }
+}
+
+TEST(OriginCheckTest, PagesComeOverTheServersOwnScheme) {
+  const char* host = "localhost:8080";
+  const OriginRules tls{{}, true, false};
+  EXPECT_TRUE(Allowed(From("PUT", host, "https://localhost:8080"), tls));
+  EXPECT_FALSE(Allowed(From("PUT", host, "http://localhost:8080"), tls));
+  const OriginRules proxied{{}, false, true};
+  EXPECT_TRUE(Allowed(From("PUT", host, "https://localhost:8080"), proxied));
+  EXPECT_TRUE(Allowed(From("PUT", host, "http://localhost:8080"), proxied));
+  EXPECT_FALSE(Allowed(From("PUT", host, "https://evil.example"), proxied));
 }
 
 TEST(OriginCheckTest, WantsExactlyOneHost) {

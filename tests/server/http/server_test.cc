@@ -337,7 +337,7 @@ TEST_F(ServerTest, GivesUpOnABodyThatDribbles) {
   options_.loop.limits.stall_time = milliseconds(150);
   Start();
   RawClient client(server_->port());
-  client.Say("PUT /count HTTP/1.1\r\nHost: localhost\r\nContent-Length: 60000\r\n\r\n");
+  client.Say("PUT /count HTTP/1.1\r\nHost: localhost\r\nContent-Length: 100000\r\n\r\n");
   const auto start = std::chrono::steady_clock::now();
   while (std::chrono::steady_clock::now() - start < seconds(5) && client.Say("x") &&
          client.Hear("HTTP/1.1 408", milliseconds(20)).empty()) {
@@ -452,7 +452,7 @@ TEST_F(ServerTest, GivesUpOnABodyThatStalls) {
   options_.loop.limits.stall_time = milliseconds(150);
   Start();
   RawClient client(server_->port());
-  client.Say("PUT /count HTTP/1.1\r\nHost: localhost\r\nContent-Length: 100\r\n\r\nabc");
+  client.Say("PUT /count HTTP/1.1\r\nHost: localhost\r\nContent-Length: 100000\r\n\r\nabc");
   EXPECT_THAT(client.Hear(), StartsWith("HTTP/1.1 408"));
 }
 

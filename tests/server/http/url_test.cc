@@ -42,8 +42,13 @@ TEST(UrlTest, ReadsServerAddresses) {
   EXPECT_EQ(FormatBaseUrl(ParseBaseUrl("http://localhost:8080/")), "http://localhost:8080");
   EXPECT_EQ(FormatBaseUrl(ParseBaseUrl("http://[::1]:9")), "http://[::1]:9");
   EXPECT_EQ(ParseBaseUrl("http://localhost").port, 80);
-  for (const char* text : {"", "localhost", "https://a", "http://", "http://a:0", "http://a:99999",
-                           "http://a:b", "http://a/b", "http://[::1", "http://a:"}) {
+  EXPECT_EQ(FormatBaseUrl(ParseBaseUrl("https://[::1]:9/")), "https://[::1]:9");
+  EXPECT_EQ(ParseBaseUrl("https://localhost").port, 443);
+  EXPECT_TRUE(ParseBaseUrl("https://localhost").tls);
+  EXPECT_FALSE(ParseBaseUrl("http://localhost").tls);
+  for (const char* text :
+       {"", "localhost", "ftp://a", "https://", "https:/a", "http://", "http://a:0",
+        "http://a:99999", "http://a:b", "http://a/b", "http://[::1", "http://a:"}) {
     EXPECT_THROW(ParseBaseUrl(text), Error) << text;
   }
 }
