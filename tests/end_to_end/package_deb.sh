@@ -105,12 +105,14 @@ expect 0 in_tree getent passwd lares && has /var/lib/lares nologin
 expect 0 in_tree stat -c '%U:%G %a' /var/lib/lares && has "lares:lares 750"
 there /usr/share/bash-completion/completions/lares /usr/share/zsh/vendor-completions/_lares \
   /usr/share/fish/vendor_completions.d/lares.fish /usr/share/man/man1/lares.1.gz
+wanted=/etc/systemd/system/multi-user.target.wants/lares.service
+expect 0 in_tree test -e "$wanted"
 # What it reads stands in one place, and nothing of it elsewhere.
 expect 1 in_tree sh -c "find / -xdev -path /proc -prune -o -name '*.ttl' -print | grep -v ^/usr/share/"
 
 # ---- The server, as its user, with as little as the unit leaves it -------------------------------
 port=$((20000 + RANDOM % 20000))
-env -i PATH=/usr/bin:/bin chroot "$tree" setpriv --reuid lares --regid lares --clear-groups \
+env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin chroot "$tree" setpriv --reuid lares --regid lares --clear-groups \
   --no-new-privs --bounding-set -all --inh-caps -all \
   lares serve --port "$port" --data /var/lib/lares >"$tree/root/serve.out" 2>&1 &
 server=$!
@@ -140,4 +142,5 @@ gone /usr/bin/lares /usr/share/lares /usr/lib/systemd/system/lares.service /usr/
 there /var/lib/lares
 expect 0 in_tree apt-get purge -y -qq lares
 gone /var/lib/lares
+expect 1 in_tree test -L "$wanted"
 expect 2 in_tree getent passwd lares
