@@ -18,6 +18,7 @@ http::Router MakeRouter(Context& context) {
   AddEnvironmentRoutes(router, context);
   AddEnvironmentUploadRoute(router, context);
   AddEnvironmentVersionRoutes(router, context);
+  AddThumbnailRoutes(router, context);
   AddEnvironmentDownloadRoutes(router, context);
   AddUploadRoutes(router, context);
   AddBlobRoutes(router, context);

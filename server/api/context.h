@@ -46,6 +46,7 @@ void AddSkillTemplateRoutes(http::Router& router, Context& context);
 void AddObjectModelRoutes(http::Router& router, Context& context);
 void AddBackupRoutes(http::Router& router, Context& context);
 void AddBlobRoutes(http::Router& router, Context& context);
+void AddThumbnailRoutes(http::Router& router, Context& context);
 void AddUploadRoutes(http::Router& router, Context& context);
 void AddEnvironmentRoutes(http::Router& router, Context& context);
 void AddEnvironmentUploadRoute(http::Router& router, Context& context);

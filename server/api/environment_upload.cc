@@ -165,6 +165,15 @@ bool IsEmpty(const store::NewVersion& version) {
          version.mission.empty() && version.note.empty();
 }
 
+// The layers that came, the semantic one with the bounds of its objects.
+std::map<std::string, environment::LayerFacts> WithSemantic(
+    std::map<std::string, environment::LayerFacts> facts,
+    const server::Knowledge::VersionAnswer& answer) {
+  const auto semantic = facts.find("semantic");
+  if (semantic != facts.end()) semantic->second.bounds_m = semantic::BoundsOf(answer.objects);
+  return facts;
+}
+
 http::Response KeptAside(const server::Knowledge::VersionAnswer& answer) {
   Json json;
   json["document"] = ToJson(answer.aside);
@@ -198,7 +207,7 @@ http::Response PutVersionOf(const http::Request& request, const RequestMark& mar
   }
   server::Knowledge::VersionAnswer answer =
       PutVersion(context, version, ReadVersionRights(request));
-  for (std::string& warning : environment::WarnOnExtents(form.facts())) {
+  for (std::string& warning : environment::WarnOnExtents(WithSemantic(form.facts(), answer))) {
     answer.warnings.push_back(std::move(warning));
   }
   return answer.quarantined.empty() ? VersionCreated(answer) : KeptAside(answer);
