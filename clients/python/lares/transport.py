@@ -123,17 +123,14 @@ class Transport:
             raise ValueError(f"'{url}' is no address of a server: http:// or https:// and a host")
         if parts.path not in ("", "/") or parts.query or parts.fragment or parts.username:
             raise ValueError(f"'{url}' names more than a server")
-        if token is not None and (not token.isascii() or not token.isprintable() or " " in token):
-            raise ValueError("a token is one word of ASCII")
-        if token and parts.scheme == "http" and parts.hostname not in _LOOPBACK:
-            raise ValueError("a token is not sent over the network without TLS: use https://")
         self.url = url.rstrip("/")
         self.timeout_s = timeout_s
         self.retries = retries
         self.backoff_s = backoff_s
         self._host, self._port = parts.hostname, parts.port
         self._tls = ssl.create_default_context(cafile=ca_file) if parts.scheme == "https" else None
-        self._token = token
+        self._token: Optional[str] = None
+        self.use_token(token)
         self._idle: List[http.client.HTTPConnection] = []
         self._lock = threading.Lock()
         self.log: Optional[Callable[[str, str, int], None]] = None
@@ -177,6 +174,14 @@ class Transport:
                     raise
                 self._pause(attempt, fault.retry_after_s)
         raise AssertionError("not reached")
+
+    def use_token(self, token: Optional[str]) -> None:
+        """Sends this one from now on; ValueError for what is none, or may not be sent here."""
+        if token is not None and (not token.isascii() or not token.isprintable() or " " in token):
+            raise ValueError("a token is one word of ASCII")
+        if token and self._tls is None and self._host not in _LOOPBACK:
+            raise ValueError("a token is not sent over the network without TLS: use https://")
+        self._token = token
 
     def delete(self, path: str, if_match: Optional[str] = None) -> None:
         try:
