@@ -45,7 +45,9 @@ class Response:
         raw: http.client.HTTPResponse,
         release: Callable[[bool], None],
         interrupt: Callable[[], None],
+        is_head: bool,
     ) -> None:
+        self._is_head = is_head
         self.status = raw.status
         self.headers: Dict[str, str] = {name.lower(): value for name, value in raw.getheaders()}
         self._raw = raw
@@ -70,7 +72,8 @@ class Response:
                 break
             got += len(piece)
             yield piece
-        whole = self.status == 304 or self.length is None or got == self.length
+        no_body = self._is_head or self.status == 304
+        whole = no_body or self.length is None or got == self.length
         self._end(whole)
         if not whole:
             raise CutOffError(f"the answer broke off after {got} of {self.length} bytes")
@@ -234,7 +237,7 @@ class Transport:
             except OSError:
                 pass  # it ended by itself
 
-        response = Response(raw, release, interrupt)
+        response = Response(raw, release, interrupt, method == "HEAD")
         if response.status >= 400:
             raise error_of_response(response.status, response.headers, _fault_body(response))
         return response
