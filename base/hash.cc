@@ -3,6 +3,7 @@
 #include <openssl/evp.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "base/error.h"
 
@@ -47,6 +48,18 @@ std::string Sha256::FinishHex() {
 std::string Sha256Hex(std::string_view bytes) {
   Sha256 hash;
   hash.Update(bytes);
+  return hash.FinishHex();
+}
+
+std::string Sha256OfFile(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string buffer(1 << 20, '\0');
+  Sha256 hash;
+  while (file) {
+    file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+    hash.Update(std::string_view(buffer.data(), static_cast<std::size_t>(file.gcount())));
+  }
+  if (!file.eof()) throw Error(Code::kIo, "cannot read '" + path.string() + "'");
   return hash.FinishHex();
 }
 

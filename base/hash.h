@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -11,6 +12,9 @@ namespace lares {
 
 // Lower-case hexadecimal, 64 characters.
 std::string Sha256Hex(std::string_view bytes);
+
+// Of a whole file, read in pieces. Throws kIo.
+std::string Sha256OfFile(const std::filesystem::path& path);
 
 // True for 64 lower-case hexadecimal digits.
 bool IsSha256Hex(std::string_view text);

@@ -225,7 +225,7 @@ int Uploads(const std::string& lares, std::uint64_t megabytes, int count) {
                                     {},
                                     http::EncodeForm({part})};
         try {
-          http::Client client(server.url(), std::chrono::seconds(1800));
+          http::Client client(server.url(), {std::chrono::seconds(1800), "", ""});
           if (client.Send(request).status != 201) ++failed;
         } catch (const Error&) {
           ++failed;

@@ -2,10 +2,11 @@
 
 packages_to_build="build-essential cmake ninja-build pkg-config ccache mold ca-certificates
   libeigen3-dev libraptor2-dev libserd-dev libxml2-dev swi-prolog-nox libcpp-httplib-dev libssl-dev
-  zlib1g-dev libsqlite3-dev libpq-dev nlohmann-json3-dev libspdlog-dev libcli11-dev libyaml-cpp-dev
-  libarchive-dev liboctomap-dev libpcre2-dev liburdfdom-dev liburdfdom-headers-dev"
+  zlib1g-dev libzstd-dev libsqlite3-dev libpq-dev nlohmann-json3-dev libspdlog-dev libcli11-dev
+  libyaml-cpp-dev libarchive-dev liboctomap-dev libpcre2-dev liburdfdom-dev
+  liburdfdom-headers-dev"
 packages_to_test="libgtest-dev libgmock-dev libbenchmark-dev clang-format-14 curl graphviz wrk
-  libxml2-utils rasqal-utils postgresql groff mandoc zsh fish mypy"
+  libxml2-utils rasqal-utils postgresql zstd groff mandoc zsh fish mypy"
 packages_to_compare="konclude" # what benchmarks measure Lares against
 packages_to_test_long="debootstrap dpkg-dev clang-14 libclang-rt-14-dev clang-tidy-14"
 

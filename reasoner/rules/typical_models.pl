@@ -100,7 +100,7 @@ use(algorithm(Iri, Classes), Robot, Use) :-
     (   rdf(Robot, lares:subComponent, Iri)
     ->  Use = has(Iri)
     ;   member(Class, Classes),
-        available(context(Robot, [], false), Class)
+        availability_of(context(Robot, [], false), Class, true)
     ->  Use = has(Class)
     ;   member(Class, Classes),
         described_as(Robot, Class, General)

@@ -19,6 +19,8 @@ http::Router MakeRouter(Context& context) {
   AddEnvironmentUploadRoute(router, context);
   AddEnvironmentVersionRoutes(router, context);
   AddEnvironmentDownloadRoutes(router, context);
+  AddUploadRoutes(router, context);
+  AddBlobRoutes(router, context);
   AddRobotGridRoutes(router, context);
   AddQuarantineRoutes(router, context);
   AddPlanRoutes(router, context);

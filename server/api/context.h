@@ -45,6 +45,8 @@ void AddRobotRoutes(http::Router& router, Context& context);
 void AddSkillTemplateRoutes(http::Router& router, Context& context);
 void AddObjectModelRoutes(http::Router& router, Context& context);
 void AddBackupRoutes(http::Router& router, Context& context);
+void AddBlobRoutes(http::Router& router, Context& context);
+void AddUploadRoutes(http::Router& router, Context& context);
 void AddEnvironmentRoutes(http::Router& router, Context& context);
 void AddEnvironmentUploadRoute(http::Router& router, Context& context);
 void AddEnvironmentVersionRoutes(http::Router& router, Context& context);

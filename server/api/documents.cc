@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "server/api/answers.h"
+#include "server/api/once.h"
 #include "server/api/quarantine.h"
 #include "server/api/scope.h"
 #include "server/http/etag.h"
@@ -206,12 +207,12 @@ http::Response PutAnswerToResponse(const server::PutAnswer& answer, const std::s
 }
 
 void AddDocumentPutRoutes(const DocumentRoutes& routes, http::Router& router, Context& context) {
-  const auto put = [routes, &context](const http::Request& request) {
+  const http::Handler put = Once(context, [routes, &context](const http::Request& request) {
     server::PutRequest wanted = ToPutRequest(routes.kind, request, context.store);
     ReadRights(request, wanted);
     const bool existed = context.store.FindDocument(routes.kind, wanted.id).has_value();
     return PutAnswerToResponse(Put(context, wanted), routes.collection, existed);
-  };
+  });
   router.Add({"PUT", routes.collection + "/{id}", "put" + routes.noun, put, RdfUploadTypes(),
               kMaxDocumentBytes + (1u << 20)});
   router.Add({"POST", routes.collection, "add" + routes.noun, put, RdfUploadTypes(),

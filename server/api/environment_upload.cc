@@ -8,7 +8,9 @@
 #include "server/api/answers.h"
 #include "server/api/context.h"
 #include "server/api/environments.h"
+#include "server/api/once.h"
 #include "server/api/quarantine.h"
+#include "server/api/uploads.h"
 #include "server/http/etag.h"
 #include "server/http/multipart.h"
 #include "server/http/url.h"
@@ -20,7 +22,7 @@ constexpr std::uint64_t kMaxUploadBytes = std::uint64_t{64} << 30;
 constexpr std::size_t kMaxFieldBytes = 64 * 1024;
 
 // Takes a form apart while it arrives: fields into the version, layers into blobs, each checked
-// to be what it says before it is kept.
+// to be what it says before it is kept. A layer comes as its bytes or as a reference to an upload.
 class VersionForm {
  public:
   VersionForm(store::Store& store, store::NewVersion& version) : store_(store), version_(version) {}
@@ -44,7 +46,13 @@ class VersionForm {
         throw Error(Code::kInvalid, "layer '" + part.name + "' is there twice");
       }
     }
-    layer_ = {part.name, part.file_name.empty() ? part.name : part.file_name, "", {}, {}};
+    layer_ = {part.name, part.file_name, "", {}, {}};
+    if (part.content_type == kUploadReference) {
+      is_reference_ = true;
+      reference_.clear();
+      field_ = &reference_;
+      return;
+    }
     writer_ = store_.NewBlob();
   }
 
@@ -62,16 +70,29 @@ class VersionForm {
   void End() {
     if (field_ == &parent_) version_.parent = ReadParent();
     if (field_ == &removed_) version_.removed_layers.push_back(std::exchange(removed_, ""));
+    if (std::exchange(is_reference_, false)) return EndReference();
     if (writer_ == nullptr) return;
     writer_->Flush();
-    environment::LayerFacts facts =
-        environment::CheckLayer(layer_.name, writer_->path(), layer_.file_name);
-    layer_.media_type = facts.media_type;
-    layer_.facts = facts.facts;
+    CheckLayer(writer_->path());
     layer_.blob = writer_->Commit();
     writer_.reset();
-    facts_[layer_.name] = std::move(facts);
     version_.layers.push_back(std::move(layer_));
+  }
+
+  void EndReference() {
+    const auto claim = ClaimUpload(store_.uploads(), reference_);
+    if (layer_.file_name.empty()) layer_.file_name = UploadFileName(claim->info());
+    CheckLayer(claim->path());
+    layer_.blob = claim->Adopt();
+    version_.layers.push_back(std::move(layer_));
+  }
+
+  void CheckLayer(const std::filesystem::path& bytes) {
+    if (layer_.file_name.empty()) layer_.file_name = layer_.name;
+    environment::LayerFacts facts = environment::CheckLayer(layer_.name, bytes, layer_.file_name);
+    layer_.media_type = facts.media_type;
+    layer_.facts = facts.facts;
+    facts_[layer_.name] = std::move(facts);
   }
 
   std::string* FieldOf(const std::string& name) {
@@ -114,6 +135,8 @@ class VersionForm {
   std::string* field_ = nullptr;
   std::string removed_;
   std::string parent_;
+  bool is_reference_ = false;
+  std::string reference_;
   store::LayerInfo layer_;
   std::unique_ptr<store::BlobWriter> writer_;
 };
@@ -152,7 +175,8 @@ http::Response KeptAside(const server::Knowledge::VersionAnswer& answer) {
   return response;
 }
 
-http::Response PutVersionOf(const http::Request& request, Context& context) {
+http::Response PutVersionOf(const http::Request& request, const RequestMark& mark,
+                            Context& context) {
   store::NewVersion version;
   version.environment = request.Param("id");
   if (!IsIdentifier(version.environment)) {
@@ -163,6 +187,8 @@ http::Response PutVersionOf(const http::Request& request, Context& context) {
   version.if_match = EarlyCondition(request, context.store, version.environment);
   VersionForm form(context.store, version);
   http::ReadMultipart(request, form.handler());
+  version.request_key = mark.key;
+  version.request_fingerprint = mark.fingerprint();
   if (IsEmpty(version)) {
     throw Error(Code::kInvalid,
                 "there is nothing to put: the form has neither a layer nor a field");
@@ -176,6 +202,20 @@ http::Response PutVersionOf(const http::Request& request, Context& context) {
     answer.warnings.push_back(std::move(warning));
   }
   return answer.quarantined.empty() ? VersionCreated(answer) : KeptAside(answer);
+}
+
+// The answer for a version ("lab/3") that was written by a process which ended before it answered.
+http::Response VersionWritten(const std::string& written, Context& context) {
+  const std::size_t slash = written.rfind('/');
+  server::Knowledge::VersionAnswer answer;
+  answer.version =
+      context.store.GetVersion(written.substr(0, slash), std::stoi(written.substr(slash + 1)));
+  const auto& changed = answer.version.changed_layers;
+  if (std::find(changed.begin(), changed.end(), "semantic") != changed.end()) {
+    answer.objects =
+        context.knowledge.MapObjects(answer.version.environment, answer.version.number);
+  }
+  return VersionCreated(answer);
 }
 
 }  // namespace
@@ -197,7 +237,12 @@ void AddEnvironmentUploadRoute(http::Router& router, Context& context) {
   router.Add({"POST",
               "/v1/environments/{id}/versions",
               "putEnvironmentVersion",
-              [&context](const http::Request& request) { return PutVersionOf(request, context); },
+              Once(context, {[&context](const http::Request& request, const RequestMark& mark) {
+                               return PutVersionOf(request, mark, context);
+                             },
+                             [&context](const std::string& written) {
+                               return VersionWritten(written, context);
+                             }}),
               {"multipart/form-data"},
               kMaxUploadBytes});
 }

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/time.h"
+#include "server/http/url.h"
 
 namespace lares::api {
 namespace {
@@ -92,8 +93,13 @@ Json ToJson(const store::DocumentInfo& document) {
 
 Json ToJson(const store::LayerInfo& layer) {
   return {
-      {"name", layer.name},      {"file_name", layer.file_name}, {"media_type", layer.media_type},
-      {"size", layer.blob.size}, {"sha256", layer.blob.sha256},  {"facts", layer.facts}};
+      {"name", layer.name},
+      {"file_name", layer.file_name},
+      {"media_type", layer.media_type},
+      {"size", layer.blob.size},
+      {"sha256", layer.blob.sha256},
+      {"facts", layer.facts},
+      {"href", "/v1/blobs/" + layer.blob.sha256 + "?name=" + http::PercentEncode(layer.file_name)}};
 }
 
 Json ToJson(const store::EnvironmentVersion& version) {

@@ -7,6 +7,7 @@
 #include "server/api/context.h"
 #include "server/api/documents.h"
 #include "server/api/object_models.h"
+#include "server/api/once.h"
 #include "server/api/quarantine.h"
 #include "server/http/etag.h"
 #include "server/http/media_type.h"
@@ -129,7 +130,8 @@ void AddObjectModelRoutes(http::Router& router, Context& context) {
   router.Add({"PUT",
               std::string(kCollection) + "/{id}",
               "putObjectModel",
-              [&context](const http::Request& request) { return PutModel(request, context); },
+              Once(context,
+                   [&context](const http::Request& request) { return PutModel(request, context); }),
               {"multipart/form-data"},
               kMaxUploadBytes});
   http::Router documents;

@@ -12,6 +12,7 @@
 #include "server/api/answers.h"
 #include "server/api/context.h"
 #include "server/api/documents.h"
+#include "server/api/once.h"
 #include "server/api/quarantine.h"
 
 namespace lares::api {
@@ -157,7 +158,8 @@ StoredUrdf FindUrdf(Context& context, const std::string& robot, int version) {
 
 void AddRobotRoutes(http::Router& router, Context& context) {
   const DocumentRoutes routes{store::DocumentKind::kRobot, kCollection, "Robot", "Robots"};
-  const auto put = [&context](const http::Request& request) { return PutRobot(request, context); };
+  const http::Handler put = Once(
+      context, [&context](const http::Request& request) { return PutRobot(request, context); });
   router.Add({"PUT", std::string(kCollection) + "/{id}", "putRobot", put, UploadTypes(),
               kMaxDocumentBytes + (1u << 20)});
   router.Add({"POST", kCollection, "addRobot", put, UploadTypes(), kMaxDocumentBytes + (1u << 20)});

@@ -1,14 +1,19 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "base/error.h"
 #include "base/text.h"
 #include "mapping/environment/layer_format.h"
+#include "server/api/uploads.h"
 #include "server/cli/command.h"
+#include "server/cli/download.h"
 #include "server/cli/grid_files.h"
+#include "server/cli/patience.h"
 #include "server/cli/print.h"
 #include "server/cli/progress.h"
+#include "server/cli/resumable.h"
 #include "server/cli/temporary_folder.h"
 #include "server/http/media_type.h"
 
@@ -31,7 +36,12 @@ struct PutOptions {
   std::vector<std::string> removed;
   bool editor = false;
   bool quarantine = false;
+  bool resume = false;
+  int patience_s = 60;
 };
+
+// Layers from this size on are sent so that a broken connection costs little.
+constexpr std::uint64_t kResumableBytes = std::uint64_t{16} << 20;
 
 // A grid's YAML is sent together with its image, as one archive in `temporary`.
 http::FormPart LayerPart(const std::string& layer, const fs::path& temporary) {
@@ -95,6 +105,47 @@ std::string AsideSummary(const std::string& id, const Json& answer) {
          " is as it was:\n  " + TextOf(answer, "quarantined") + "\n";
 }
 
+// Large files go ahead; what stays in the form refers to them.
+std::vector<FinishedUpload> SendLargeFiles(Remote& remote, std::vector<http::FormPart>& parts,
+                                           const ResumableOptions& options) {
+  std::vector<FinishedUpload> uploads;
+  for (http::FormPart& part : parts) {
+    std::error_code error;
+    const std::uint64_t size = part.file.empty() ? 0 : fs::file_size(part.file, error);
+    if (error || size < kResumableBytes) continue;
+    uploads.push_back(UploadFile(remote, "layer " + part.name, part.file, options));
+    part.text = uploads.back().path;
+    part.file.clear();
+    part.content_type = std::string(api::kUploadReference);
+  }
+  return uploads;
+}
+
+std::string NewKey() {
+  std::random_device random;
+  std::string key = "lares-put";
+  for (int i = 0; i < 4; ++i) key += "-" + std::to_string(random());
+  return key;
+}
+
+// The key lets the server tell whether it has done this already, when the connection breaks before
+// it has answered.
+http::ClientResponse SendOnce(Remote& remote, http::ClientRequest request,
+                              const http::Transfer& transfer, std::chrono::seconds patience_time,
+                              bool was_there) {
+  request.headers.Set("Idempotency-Key", NewKey());
+  Patience patience(patience_time);
+  while (true) {
+    try {
+      return remote.Send(request, transfer);
+    } catch (const Error& error) {
+      const bool away = dynamic_cast<const http::NoServerError*>(&error) != nullptr;
+      if (!IsPassing(error) || (away && !was_there) || !patience.Wait()) throw;
+      was_there = true;
+    }
+  }
+}
+
 void Put(const PutOptions& put, const Options& options) {
   const TemporaryFolder temporary(fs::temp_directory_path(), "lares-put-");
   http::ClientRequest request;
@@ -102,19 +153,30 @@ void Put(const PutOptions& put, const Options& options) {
   request.path = PathOf("/v1/environments", {put.id, "versions"});
   if (put.editor) request.query.emplace("editor", "true");
   if (put.quarantine) request.query.emplace("quarantine", "true");
-  request.body = http::EncodeForm(FormOf(put, temporary.path()));
   if (put.if_match == "none") request.headers.Set("If-None-Match", "*");
   if (!put.if_match.empty() && put.if_match != "none") {
     request.headers.Set("If-Match", put.if_match);
   }
   Remote remote(options.server);
+  ResumableOptions resumable;
+  resumable.resume = put.resume;
+  resumable.patience = std::chrono::seconds(put.patience_s);
+  std::vector<http::FormPart> parts = FormOf(put, temporary.path());
+  const StopOnSignal stop_on_signal;
+  const std::vector<FinishedUpload> uploads = SendLargeFiles(remote, parts, resumable);
+  request.body = http::EncodeForm(parts);
   Json answer;
   {
     ProgressBar bar("sending");
     http::Transfer transfer;
-    transfer.uploaded = [&bar](std::uint64_t done, std::uint64_t all) { bar.Show(done, all); };
-    answer = Json::parse(remote.Send(request, transfer).body);
+    transfer.uploaded = [&bar](std::uint64_t done, std::uint64_t all) {
+      if (IsAskedToStop()) throw Error(Code::kIo, "interrupted");
+      bar.Show(done, all);
+    };
+    answer =
+        Json::parse(SendOnce(remote, request, transfer, resumable.patience, !uploads.empty()).body);
   }
+  for (const FinishedUpload& upload : uploads) ForgetUpload(remote, upload, resumable);
   if (options.json) return PrintJson(answer);
   Print(answer.contains("quarantined") ? AsideSummary(put.id, answer)
                                        : VersionSummary(put.id, answer));
@@ -139,7 +201,8 @@ void AddEnvironmentPut(CLI::App& environment, const Options& options) {
       "  lares environment put hospital-room --type HospitalRoom \\\n"
       "      --layer semantic=room.owl --layer octomap=room.bt\n"
       "  lares environment put lab --layer grid=map.yaml --note 'after moving the desk' \\\n"
-      "      --if-match '\"lab-3\"'");
+      "      --if-match '\"lab-3\"'\n"
+      "  lares environment put lab --layer cloud=hall.ply --resume");
   auto put = std::make_shared<PutOptions>();
   command->add_option("ID", put->id)->required();
   command->add_option("--layer", put->layers,
@@ -165,6 +228,15 @@ void AddEnvironmentPut(CLI::App& environment, const Options& options) {
   command->add_flag("--quarantine", put->quarantine,
                     "keep aside a semantic layer that contradicts what is known, instead of "
                     "refusing it; it must be the only layer");
+  command->add_flag("--resume", put->resume,
+                    "go on with the large layers that an earlier put of the same files left "
+                    "unfinished");
+  command
+      ->add_option("--patience", put->patience_s,
+                   "seconds to try again after the connection broke; layers from 16 MiB on go on "
+                   "where they stopped")
+      ->check(CLI::Range(0, 86400))
+      ->capture_default_str();
   command->callback([=, &options] { Put(*put, options); });
 }
 

@@ -89,8 +89,16 @@ Remote::Remote(const ServerAddress& server) : client_(server.url, ClientOptionsO
 
 http::ClientResponse Remote::Send(const http::ClientRequest& request,
                                   const http::Transfer& transfer) {
-  http::ClientResponse response = client_.Send(request, transfer);
-  if (response.status < 200 || response.status >= 300) ThrowProblem(response, url());
+  return Send(request, transfer, nullptr);
+}
+
+http::ClientResponse Remote::Send(const http::ClientRequest& request,
+                                  const http::Transfer& transfer,
+                                  const http::Answered& answered) {
+  http::ClientResponse response = client_.Send(request, transfer, answered);
+  const bool unchanged = response.status == 304 && request.headers.Has("If-None-Match");
+  if (!unchanged && (response.status < 200 || response.status >= 300))
+    ThrowProblem(response, url());
   return response;
 }
 

@@ -38,9 +38,12 @@ class Remote {
   // Throws kForbidden for a token that would go to another machine without TLS.
   explicit Remote(const ServerAddress& server);
 
-  // The answer of a 2xx; else throws RemoteError, or as http::Client::Send does.
+  // The answer of a 2xx, or of a 304 to a request with If-None-Match; else throws RemoteError, or
+  // as http::Client::Send does.
   http::ClientResponse Send(const http::ClientRequest& request,
                             const http::Transfer& transfer = {});
+  http::ClientResponse Send(const http::ClientRequest& request, const http::Transfer& transfer,
+                            const http::Answered& answered);
   Json GetJson(const std::string& path, const std::multimap<std::string, std::string>& query = {});
   // Every page of a list as one: {"items": […], "count": n}.
   Json GetList(const std::string& path, std::multimap<std::string, std::string> query = {});

@@ -34,7 +34,7 @@ class FormSender {
   void SendFile(const FormPiece& piece, httplib::DataSink& sink) {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(piece.file.c_str(), "rb"),
                                                                &std::fclose);
-    if (file == nullptr) {
+    if (file == nullptr || ::fseeko(file.get(), static_cast<off_t>(piece.offset), SEEK_SET) != 0) {
       throw Error(Code::kIo, "cannot read '" + piece.file.string() + "': " + std::strerror(errno));
     }
     std::array<char, 64 * 1024> bytes;
@@ -48,7 +48,8 @@ class FormSender {
   }
 
   void Give(const char* bytes, std::size_t size, httplib::DataSink& sink) {
-    if (!sink.write(bytes, size)) throw Error(Code::kIo, "the server closed the connection");
+    if (!sink.write(bytes, size))
+      throw ConnectionError(Code::kIo, "the server closed the connection");
     done_ += size;
     if (progress_) progress_(done_, form_.length);
   }
@@ -84,11 +85,11 @@ httplib::Request ToHttplib(const ClientRequest& request) {
                                         " does not prove to be who it says it is, or speaks no TLS")
           .WithHint("--ca FILE (or LARES_CA) names the certificates that may vouch for it");
     case httplib::Error::Read:
-      throw Error(Code::kIo,
-                  "the server at " + base_url + " closed the connection or did not answer in time");
+      throw ConnectionError(Code::kIo, "the server at " + base_url +
+                                           " closed the connection or did not answer in time");
     default:
-      throw Error(Code::kIo,
-                  "the connection to " + base_url + " broke: " + httplib::to_string(error));
+      throw ConnectionError(
+          Code::kIo, "the connection to " + base_url + " broke: " + httplib::to_string(error));
   }
 }
 
@@ -129,6 +130,11 @@ Client::~Client() = default;
 const std::string& Client::base_url() const { return state_->base_url; }
 
 ClientResponse Client::Send(const ClientRequest& request, const Transfer& transfer) {
+  return Send(request, transfer, nullptr);
+}
+
+ClientResponse Client::Send(const ClientRequest& request, const Transfer& transfer,
+                            const Answered& answered) {
   httplib::Request to = ToHttplib(request);
   to.set_header("Host", state_->base_url.substr(state_->base_url.find("//") + 2));
   if (!state_->token.empty()) to.set_header("Authorization", "Bearer " + state_->token);
@@ -154,7 +160,10 @@ ClientResponse Client::Send(const ClientRequest& request, const Transfer& transf
   to.response_handler = [&](const httplib::Response& from) {
     response.status = from.status;
     for (const auto& [name, value] : from.headers) response.headers.Add(name, value);
-    return true;
+    // A 304 has no body, and httplib would wait for one until the server closes: it is told to
+    // stop here, which costs this connection.
+    if (from.status == 304) return false;
+    return !answered || guarded([&] { answered(response); });
   };
   to.content_receiver = [&](const char* bytes, size_t size, uint64_t, uint64_t total) {
     return guarded([&] {
@@ -171,6 +180,7 @@ ClientResponse Client::Send(const ClientRequest& request, const Transfer& transf
   };
   const httplib::Result result = state_->client.send(to);
   if (fault) std::rethrow_exception(fault);
+  if (response.status == 304) return response;
   if (!result) ThrowFailure(result.error(), state_->base_url);
   if (response.status == 0) {  // an answer without a body to hand over
     response.status = result->status;

@@ -40,17 +40,26 @@ struct Transfer {
   Progress downloaded;
 };
 
-// No server at that address: its own type, as the remedy is another than for any other fault.
-class NoServerError : public Error {
- public:
-  using Error::Error;
-};
+// Gets status and headers once, before the body; what it throws passes through.
+using Answered = std::function<void(const ClientResponse&)>;
 
 struct ClientOptions {
   std::chrono::seconds answer_time{300};
   std::string token;  // "" none; sent as Authorization: Bearer
-  std::filesystem::path
-      ca_file;  // PEM of those who may vouch for an https server; "": the system's
+  // PEM of those who may vouch for an https server; "": the system's.
+  std::filesystem::path ca_file;
+};
+
+// The connection broke, or there was none: asking again may help.
+class ConnectionError : public Error {
+ public:
+  using Error::Error;
+};
+
+// No server at that address: its own type, as the remedy is another than for any other fault.
+class NoServerError : public ConnectionError {
+ public:
+  using ConnectionError::ConnectionError;
 };
 
 // One connection, kept open. Not thread-safe.
@@ -60,9 +69,11 @@ class Client {
   explicit Client(const std::string& base_url, const ClientOptions& options = {});
   ~Client();
 
-  // Any status is an answer. Throws NoServerError, kIo (broken connection), kTimeout, kTooLarge
+  // Any status is an answer. Throws NoServerError, ConnectionError (kIo), kTimeout, kTooLarge
   // (an answer of more than 256 MiB without a sink).
   ClientResponse Send(const ClientRequest& request, const Transfer& transfer = {});
+  ClientResponse Send(const ClientRequest& request, const Transfer& transfer,
+                      const Answered& answered);
 
   const std::string& base_url() const;
 

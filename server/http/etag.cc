@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "server/http/content_coding.h"
 
 namespace lares::http {
 
@@ -61,8 +62,8 @@ std::string WriteCondition(const Request& request, const std::optional<std::stri
   std::string chosen = "\"\"";
   for (const EntityTag& tag : *tags) {
     if (tag.weak) continue;
-    chosen = tag.tag;
-    if (current && tag.tag == *current) break;
+    chosen = IdentityTag(tag.tag);  // whichever form of it was received
+    if (current && chosen == *current) break;
   }
   return chosen;
 }

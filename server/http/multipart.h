@@ -80,6 +80,7 @@ struct FormPiece {
   std::string text;
   std::filesystem::path file;  // when not empty, this file's bytes instead of `text`
   std::uint64_t length = 0;
+  std::uint64_t offset = 0;  // in the file
 };
 struct EncodedForm {
   std::string content_type;

@@ -59,6 +59,13 @@ const std::vector<ProblemKind>& ProblemKinds() {
       {"too-many-requests", 429, "The token asks more often than it may"},
       {"too-many-bytes", 429, "The token has stored as much as it may today"},
       {"too-many-queries", 429, "The token runs as many queries as it may at once"},
+      // Of requests that are sent again.
+      {"idempotency-key-reused", 422, "That key belongs to another request"},
+      {"request-in-progress", 409, "The same request is being answered"},
+      // Of resumable uploads (tus 1.0).
+      {"tus-version", 412, "That version of tus is not supported"},
+      {"upload-locked", 423, "Another request uses the upload"},
+      {"checksum-mismatch", 460, "The bytes are not those of the checksum"},
       // Of documents: well written, but not to be taken.
       {"foreign-term", 422, "It says new things about terms of others"},
       {"contradiction", 422, "It contradicts what is known"},

@@ -84,6 +84,11 @@ std::string WithoutAdditions(std::string_view head, const Exchange& exchange) {
       kept.erase(at + 2, line.size() - 2);
     }
   };
+  // A status of another protocol's (tus), for which httplib has no reason.
+  constexpr std::string_view kNoReason = " 460 Internal Server Error\r\n";
+  if (const std::size_t at = kept.find(kNoReason); at != std::string::npos && at < 10) {
+    kept.replace(at, kNoReason.size(), " 460 Checksum Mismatch\r\n");
+  }
   if (exchange.status == 304 || exchange.has_no_length) drop("\r\nContent-Length: 0\r\n");
   if (!exchange.has_ranges) drop("\r\nAccept-Ranges: bytes\r\n");
   return kept;

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "server/http/content_coding.h"
 #include "server/http/etag.h"
 #include "server/http/log.h"
 #include "server/http/media_type.h"
@@ -22,9 +23,7 @@ void CheckBody(const Route& route, const Request& request) {
     if (request.content_length == 0) return;
     throw ProblemError("bad-request", route.method + " " + route.path + " takes no body");
   }
-  if (request.headers.Has("Content-Encoding")) {
-    throw Error(Code::kUnsupported, "bodies are taken without Content-Encoding only");
-  }
+  CheckContentEncoding(request);
   if (request.content_length && *request.content_length > route.max_body_bytes) {
     throw Error(Code::kTooLarge, "the body has " + std::to_string(*request.content_length) +
                                      " bytes; " + std::to_string(route.max_body_bytes) +
@@ -72,16 +71,33 @@ void ApplyRange(const Request& request, Response& response) {
   response.status = 206;
 }
 
+// 304 when the client has the answer in either form; its tag is then that of the form.
+bool ApplyNoneMatch(const Request& request, Response& response) {
+  if (response.status != 200 || (request.method != "GET" && request.method != "HEAD")) return false;
+  const std::string if_none_match = request.headers.GetList("If-None-Match");
+  const std::string own(response.headers.Get("ETag"));
+  const std::string other = IdentityTag(own) == own ? ZstdTag(own) : IdentityTag(own);
+  const bool hits_own = NoneMatchHits(if_none_match, own);
+  if (!hits_own && !NoneMatchHits(if_none_match, other)) return false;
+  if (!hits_own) response.headers.Set("ETag", other);
+  response.status = 304;
+  response.headers.Remove("Content-Type");
+  response.headers.Remove("Content-Length");
+  response.body = std::string();
+  return true;
+}
+
 void ApplyConditions(const Request& request, Response& response) {
-  if (response.status != 200 || (request.method != "GET" && request.method != "HEAD")) return;
-  if (NoneMatchHits(request.headers.GetList("If-None-Match"), response.headers.Get("ETag"))) {
-    response.status = 304;
-    response.headers.Remove("Content-Type");
-    response.headers.Remove("Content-Length");
-    response.body = std::string();
-    return;
+  const bool encode = ChooseZstd(request, response);
+  if (encode && response.headers.Has("ETag")) {
+    response.headers.Set("ETag", ZstdTag(std::string(response.headers.Get("ETag"))));
   }
-  ApplyRange(request, response);
+  if (ApplyNoneMatch(request, response)) return;
+  if (encode) {
+    EncodeAsZstd(request, response);
+  } else if (response.status == 200) {
+    ApplyRange(request, response);
+  }
 }
 
 void Finish(const Request& request, Response& response) {
@@ -157,7 +173,8 @@ Response Service::Run(const Route& route, Request& request) const {
   Response response;
   try {
     if (options_.gatekeeper != nullptr) options_.gatekeeper->Begin(route, request);
-    response = route.handler(request);
+    response = IsZstd(request) ? route.handler(Decoded(request, route.max_body_bytes))
+                               : route.handler(request);
     ApplyConditions(request, response);
   } catch (const std::exception& error) {
     response = Refuse(error, request.id);

@@ -155,6 +155,38 @@ Blob BlobFolder::Put(std::string_view bytes) {
   return writer->Commit();
 }
 
+void BlobFolder::Adopt(const fs::path& path, const Blob& blob) {
+  health_.Check();
+  PrepareSubfolder(blob.sha256);
+  const bool renamed = health_.Guard([&] {
+    const fs::path place = Place(blob.sha256);
+    try {
+      files_.Rename(path, place);
+    } catch (const std::system_error& error) {
+      if (error.code() != std::errc::cross_device_link) throw;
+      return false;
+    }
+    files_.SyncFolder(place.parent_path());
+    files_.SyncFolder(path.parent_path());
+    return true;
+  });
+  if (!renamed) CopyIn(path, blob);
+}
+
+void BlobFolder::CopyIn(const fs::path& path, const Blob& blob) {
+  const std::unique_ptr<BlobWriter> writer = New();
+  std::ifstream file(path, std::ios::binary);
+  std::string buffer(1 << 20, '\0');
+  while (file) {
+    file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+    writer->Append(std::string_view(buffer.data(), static_cast<std::size_t>(file.gcount())));
+  }
+  if (!file.eof() || writer->Commit().sha256 != blob.sha256) {
+    throw Error(Code::kIo, "'" + path.string() + "' cannot be read as it was written");
+  }
+  health_.Attempt([&] { files_.Remove(path); });
+}
+
 fs::path BlobFolder::Place(const std::string& sha256) const { return BlobPlace(folder_, sha256); }
 
 fs::path BlobFolder::PathOf(const std::string& sha256) const {

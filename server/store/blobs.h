@@ -32,6 +32,9 @@ class BlobFolder {
   const std::filesystem::path& folder() const { return folder_; }
   std::unique_ptr<BlobWriter> New();
   Blob Put(std::string_view bytes);
+  // The file at `path`, whole and synced, becomes the blob that its hash (which the caller vouches
+  // for) names, and is no longer where it was: renamed where it can be, else copied in pieces.
+  void Adopt(const std::filesystem::path& path, const Blob& blob);
 
   std::filesystem::path PathOf(const std::string& sha256) const;  // kNotFound
   std::uint64_t SizeOf(const std::string& sha256) const;          // kNotFound
@@ -48,6 +51,7 @@ class BlobFolder {
   class Writer;
   std::filesystem::path Place(const std::string& sha256) const;
   void TakePartOfIncoming();
+  void CopyIn(const std::filesystem::path& path, const Blob& blob);
   // The blob's sub-folder, itself durable.
   void PrepareSubfolder(const std::string& sha256);
 

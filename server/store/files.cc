@@ -41,6 +41,17 @@ class RealOutputFile final : public OutputFile {
     if (file_.get() < 0) ThrowErrno("cannot create", path_);
   }
 
+  RealOutputFile(const fs::path& path, std::uint64_t size)
+      : path_(path), file_(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC)) {
+    struct stat status {};
+    if (file_.get() < 0 || ::fstat(file_.get(), &status) != 0) ThrowErrno("cannot open", path_);
+    if (static_cast<std::uint64_t>(status.st_size) < size) {
+      errno = EIO;
+      ThrowErrno("is shorter than it was:", path_);
+    }
+    if (::ftruncate(file_.get(), static_cast<off_t>(size)) != 0) ThrowErrno("cannot cut", path_);
+  }
+
   void Append(std::string_view bytes) override {
     while (!bytes.empty()) {
       const ssize_t written = ::write(file_.get(), bytes.data(), bytes.size());
@@ -63,6 +74,9 @@ class RealFilesImpl final : public Files {
  public:
   std::unique_ptr<OutputFile> Create(const fs::path& path) override {
     return std::make_unique<RealOutputFile>(path);
+  }
+  std::unique_ptr<OutputFile> Reopen(const fs::path& path, std::uint64_t size) override {
+    return std::make_unique<RealOutputFile>(path, size);
   }
   void Rename(const fs::path& from, const fs::path& to) override {
     if (::rename(from.c_str(), to.c_str()) != 0) ThrowErrno("cannot rename to", to);

@@ -2,13 +2,14 @@
 // let a disk fail. (SQLite's own files have their seam in SQLite: a VFS, see sqlite_store.h.)
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string_view>
 
 namespace lares::store {
 
-// A new file, written from its beginning; closed by the destructor.
+// A file that is written to its end; closed by the destructor.
 class OutputFile {
  public:
   virtual ~OutputFile() = default;
@@ -21,6 +22,9 @@ class Files {
  public:
   virtual ~Files() = default;
   virtual std::unique_ptr<OutputFile> Create(const std::filesystem::path& path) = 0;  // absent yet
+  // One that is there, cut to `size` bytes; a shorter one is a fault.
+  virtual std::unique_ptr<OutputFile> Reopen(const std::filesystem::path& path,
+                                             std::uint64_t size) = 0;
   virtual void Rename(const std::filesystem::path& from, const std::filesystem::path& to) = 0;
   virtual void Remove(const std::filesystem::path& path) = 0;      // absence is no fault
   virtual void MakeFolder(const std::filesystem::path& path) = 0;  // existence is no fault

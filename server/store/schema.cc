@@ -1,6 +1,8 @@
 #include "server/store/schema.h"
 
 #include "base/error.h"
+#include "server/store/blob_uses.h"
+#include "server/store/idempotency.h"
 
 namespace lares::store {
 namespace {
@@ -205,6 +207,11 @@ std::string ForDialect(std::string_view sql, Database::Dialect dialect) {
   return ReplaceAll(std::move(text), " TEXT ", " TEXT COLLATE \"C\" ");
 }
 
+void AddTransferTables(Database& database) {
+  database.RunScript(ForDialect(kIdempotencyTables, database.dialect()));
+  database.RunScript(kBlobUseIndexes);
+}
+
 }  // namespace
 
 const std::vector<ContentTable>& ContentTables() {
@@ -266,6 +273,7 @@ void CreateTables(Database& database) {
        {kDocumentTables, kEnvironmentTables, kVersionTables, kAccessTables}) {
     database.RunScript(ForDialect(tables, database.dialect()));
   }
+  AddTransferTables(database);
   database.Run("INSERT INTO schema_version VALUES (?)", {kSchemaVersion});
 }
 
@@ -290,6 +298,7 @@ void MigrateTables(Database& database, int version) {
     database.RunScript(ForDialect(kFromSchema2, database.dialect()));
     database.RunScript(ForDialect(kVersionTables, database.dialect()));
     database.RunScript(ForDialect(kAccessTables, database.dialect()));
+    AddTransferTables(database);
   }
   database.Run("UPDATE schema_version SET version = ?", {kSchemaVersion});
 }

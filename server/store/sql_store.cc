@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "server/store/audit.h"
+#include "server/store/blob_uses.h"
 #include "server/store/copy.h"
 #include "server/store/documents.h"
 #include "server/store/environments.h"
@@ -20,7 +21,8 @@ namespace fs = std::filesystem;
 
 SqlStore::SqlStore(const fs::path& blobs, Files& files, std::unique_ptr<FolderLock> lock)
     : lock_(std::move(lock)),
-      blobs_(blobs, files, health_, lock_ ? BlobFolder::Use::kAlone : BlobFolder::Use::kShared) {
+      blobs_(blobs, files, health_, lock_ ? BlobFolder::Use::kAlone : BlobFolder::Use::kShared),
+      uploads_(blobs, files, health_, blobs_) {
   health_.WatchRoom(blobs);
 }
 
@@ -101,7 +103,12 @@ EnvironmentVersion SqlStore::PutVersion(const NewVersion& version) {
     layer.blob.size = blobs_.SizeOf(layer.blob.sha256);
     blobs_.MakeDurable(layer.blob.sha256);
   }
-  return Write([&](Database& database) { return AddVersion(database, sized); });
+  return Write([&](Database& database) {
+    EnvironmentVersion added = AddVersion(database, sized);
+    MarkWritten(database, version.request_key, version.request_fingerprint,
+                added.environment + "/" + std::to_string(added.number));
+    return added;
+  });
 }
 
 std::optional<EnvironmentInfo> SqlStore::FindEnvironment(const std::string& id) const {
@@ -185,6 +192,29 @@ std::optional<Pin> SqlStore::FindPin(const std::string& robot,
 
 std::vector<Pin> SqlStore::Pins(const std::string& robot) const {
   return Read([&](Database& database) { return store::Pins(database, robot); });
+}
+
+std::vector<BlobUse> SqlStore::BlobUses(const std::string& sha256) const {
+  return Read([&](Database& database) { return store::BlobUses(database, sha256); });
+}
+
+KeyRecord SqlStore::Take(const std::string& key) {
+  return Write([&](Database& database) { return TakeKey(database, key, Now(), {}); });
+}
+
+void SqlStore::Finish(const std::string& key, const KeyRecord& answer) {
+  Write([&](Database& database) {
+    FinishKey(database, key, answer);
+    if (finished_keys_++ % 64 == 0) PruneKeys(database, {});
+    return true;
+  });
+}
+
+void SqlStore::Release(const std::string& key) {
+  Write([&](Database& database) {
+    ReleaseKey(database, key);
+    return true;
+  });
 }
 
 std::int64_t SqlStore::Revision() const {

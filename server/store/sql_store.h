@@ -2,6 +2,7 @@
 // Private to this folder and its tests.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,11 +11,13 @@
 #include "server/store/database.h"
 #include "server/store/folder_lock.h"
 #include "server/store/health.h"
+#include "server/store/idempotency.h"
 #include "server/store/store.h"
+#include "server/store/uploads.h"
 
 namespace lares::store {
 
-class SqlStore : public Store {
+class SqlStore : public Store, public IdempotencyKeys {
  public:
   std::unique_ptr<BlobWriter> NewBlob() override;
   std::filesystem::path BlobPath(const std::string& sha256) const override;
@@ -51,6 +54,13 @@ class SqlStore : public Store {
   std::optional<Pin> FindPin(const std::string& robot,
                              const std::string& environment) const override;
   std::vector<Pin> Pins(const std::string& robot) const override;
+
+  std::vector<BlobUse> BlobUses(const std::string& sha256) const override;
+  Uploads& uploads() override { return uploads_; }
+  IdempotencyKeys& idempotency_keys() override { return *this; }
+  KeyRecord Take(const std::string& key) override;
+  void Finish(const std::string& key, const KeyRecord& answer) override;
+  void Release(const std::string& key) override;
 
   std::int64_t Revision() const override;
   BackupReport Backup(const std::filesystem::path& folder, const Progress& progress) override;
@@ -91,6 +101,8 @@ class SqlStore : public Store {
 
   std::unique_ptr<FolderLock> lock_;
   BlobFolder blobs_;
+  Uploads uploads_;
+  std::atomic<unsigned> finished_keys_ = 0;
 };
 
 }  // namespace lares::store

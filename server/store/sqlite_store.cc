@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "server/store/folder_lock.h"
+#include "server/store/idempotency.h"
 #include "server/store/sqlite_file.h"
 
 namespace lares::store {
@@ -50,6 +51,7 @@ SqliteStore::SqliteStore(const fs::path& folder, const Seams& seams)
       writer_(folder / kDatabaseFile, SqliteDatabase::Access::kWrite, seams.sqlite_vfs),
       readers_(folder / kDatabaseFile, seams.sqlite_vfs) {
   PrepareForWriting(writer_, folder / kDatabaseFile);
+  ForgetInterruptedKeys(writer_);
   // What a crashed or failed process left in the log may be visible without being durable: it is
   // written anew, into the database file, before anything rests on it.
   writer_.CheckpointWhole();

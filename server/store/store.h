@@ -159,6 +159,10 @@ struct NewVersion {
   // What the semantic layer says of the place, when that layer changes with this version; replaces
   // what was said before. Nothing leaves it.
   std::optional<std::vector<SearchKey>> keys;
+  // The idempotency key of the request that asks for it, and that request's fingerprint: with the
+  // version it becomes known that the key's write is done. "": none.
+  std::string request_key;
+  std::string request_fingerprint;
 };
 
 struct Tag {
@@ -234,6 +238,20 @@ struct AuditQuery {
   std::string before;       // id of a record: those that are older than it; "" the newest
   int limit = 100;
 };
+
+// --- Who refers to a blob ---------------------------------------------------------------------
+
+// A layer of an environment, or a version of a document.
+struct BlobUse {
+  std::string media_type;  // "" for a file beside a document, as the next
+  std::string file_name;
+  std::string environment;    // "" for a document
+  std::string document_kind;  // as ToString(DocumentKind); "" for a layer
+  std::string document;
+};
+
+class Uploads;          // uploads.h
+class IdempotencyKeys;  // idempotency.h
 
 // --- The store --------------------------------------------------------------------------------
 
@@ -342,6 +360,13 @@ class Store {
   virtual BackupReport FillFrom(const std::filesystem::path& backup, const Progress& progress) = 0;
   // Of all that is kept, as it is at this moment; equal for equal contents, of either store.
   virtual std::string Digest() const = 0;
+
+  // Each once; empty when nothing refers to it.
+  virtual std::vector<BlobUse> BlobUses(const std::string& sha256) const = 0;
+
+  // Both live as long as the store.
+  virtual Uploads& uploads() = 0;
+  virtual IdempotencyKeys& idempotency_keys() = 0;
 
   // Empty when writes are accepted; otherwise why not.
   virtual std::string health() const = 0;

@@ -15,6 +15,12 @@ class SimulatedDisk::File final : public OutputFile {
  public:
   File(SimulatedDisk& disk, std::shared_ptr<Node> node, const fs::path& path)
       : disk_(disk), node_(std::move(node)), path_(path), real_(path, std::ios::binary) {}
+  File(SimulatedDisk& disk, std::shared_ptr<Node> node, const fs::path& path, std::uint64_t size)
+      : disk_(disk),
+        node_(std::move(node)),
+        path_(path),
+        real_(path, std::ios::binary | std::ios::app),
+        size_(size) {}
 
   void Append(std::string_view bytes) override {
     const std::size_t allowed = disk_.Write(*node_, path_, size_, bytes);
@@ -159,6 +165,13 @@ void SimulatedDisk::Sync(Node& node, const fs::path& path) {
 std::unique_ptr<OutputFile> SimulatedDisk::Create(const fs::path& path) {
   std::shared_ptr<Node> node = Open(path);
   return std::make_unique<File>(*this, std::move(node), path);
+}
+
+std::unique_ptr<OutputFile> SimulatedDisk::Reopen(const fs::path& path, std::uint64_t size) {
+  std::shared_ptr<Node> node = Open(path);
+  Truncate(*node, path, size);
+  fs::resize_file(path, size);
+  return std::make_unique<File>(*this, std::move(node), path, size);
 }
 
 void SimulatedDisk::Rename(const fs::path& from, const fs::path& to) {

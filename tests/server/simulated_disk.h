@@ -49,6 +49,8 @@ class SimulatedDisk final : public Files {
   void Restart(Unsynced unsynced, unsigned seed = 0);
 
   std::unique_ptr<OutputFile> Create(const std::filesystem::path& path) override;
+  std::unique_ptr<OutputFile> Reopen(const std::filesystem::path& path,
+                                     std::uint64_t size) override;
   void Rename(const std::filesystem::path& from, const std::filesystem::path& to) override;
   void Remove(const std::filesystem::path& path) override;
   void MakeFolder(const std::filesystem::path& path) override;
