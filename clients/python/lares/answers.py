@@ -137,8 +137,51 @@ class UrdfFinding(_UrdfFindingAlways, total=False):
     remedy: str
 
 
-class ObjectModel(Document, total=False):
+class KnownOfModel(TypedDict, total=False):
     classes: List["Resource"]
+    kinds: List["Resource"]
+    algorithms: List["Resource"]
+    makers: List["Resource"]
+    created: Optional[str]
+    extents: Optional[Dict[str, Any]]
+    size_bytes: int
+
+
+class ObjectModel(Document, KnownOfModel, total=False):
+    fit: str
+    probability: float
+    why: str
+
+
+TypicalModel = TypedDict(
+    "TypicalModel",
+    {
+        "id": str,
+        "version": int,
+        "verdict": str,
+        "why": str,
+        "class": "Resource",
+        "probability": float,
+        "probability_of_room": float,
+        "counted": List[str],
+        "counted_above": bool,
+        "nth_of_its_class": int,
+        "robot_has": Optional[str],
+        "files": List[Dict[str, Any]],
+    },
+    total=False,
+)
+
+
+class TypicalModels(TypedDict, total=False):
+    room: "Resource"
+    robot: Optional["Resource"]
+    prior: Dict[str, Any]
+    places: List["Resource"]
+    places_above: bool
+    size_bytes: int
+    loaded: List["TypicalModel"]
+    left_out: List["TypicalModel"]
 
 
 class Module(TypedDict, total=False):
@@ -186,7 +229,9 @@ class Environment(TypedDict, total=False):
     type: str
     label: str
     created: str
+    changed: str
     latest: int
+    versions: int
 
 
 class Layer(TypedDict, total=False):
@@ -196,6 +241,7 @@ class Layer(TypedDict, total=False):
     size: int
     sha256: str
     facts: Dict[str, Any]
+    href: str
 
 
 class Version(TypedDict, total=False):
@@ -205,10 +251,67 @@ class Version(TypedDict, total=False):
     label: str
     created: str
     author: str
+    robot: str
+    mission: str
     note: str
+    origin: Any
+    parents: List[int]
+    base: int
+    head: bool
     etag: str
     changed_layers: List[str]
     layers: List["Layer"]
+
+
+class Tag(TypedDict, total=False):
+    environment: str
+    name: str
+    version: int
+    created: str
+    author: str
+    note: str
+
+
+class Pin(TypedDict, total=False):
+    robot: str
+    environment: str
+    version: int
+    created: str
+    author: str
+
+
+VersionDiff = TypedDict(
+    "VersionDiff",
+    {
+        "environment": str,
+        "from": int,
+        "to": int,
+        "layers": List[Dict[str, Any]],
+        "objects": Dict[str, Any],
+        "grid": Optional[Dict[str, Any]],
+        "grid_problem": str,
+        "type": Dict[str, Any],
+        "label": Dict[str, Any],
+    },
+    total=False,
+)
+
+
+class MergeConflict(TypedDict, total=False):
+    layer: str
+    subject: str
+    property: str
+    base: Any
+    ours: Any
+    theirs: Any
+
+
+class MergeAnswer(TypedDict, total=False):
+    base: int
+    ours: int
+    theirs: int
+    up_to_date: bool
+    conflicts: List["MergeConflict"]
 
 
 class VersionAnswer(TypedDict, total=False):
@@ -237,6 +340,9 @@ MapObject = TypedDict(
         "last_seen": str,
         "age": str,
         "recognised_with": str,
+        "part_of": str,
+        "room": str,
+        "maps": List[str],
     },
     total=False,
 )
@@ -301,6 +407,67 @@ PlanRequest = TypedDict(
 
 class State(TypedDict, total=False):
     status: str
+
+
+class Backup(TypedDict, total=False):
+    name: str
+    folder: str
+    digest: str
+    bytes: int
+    documentVersions: int
+    environmentVersions: int
+    blobs: int
+    made: str
+    schema: int
+
+
+class _NewTokenAlways(TypedDict):
+    label: str
+    role: Any
+
+
+class NewToken(_NewTokenAlways, total=False):
+    environments: List[str]
+    expires: Optional[str]
+    max_requests_per_minute: int
+    max_bytes_per_day: int
+    max_queries: int
+
+
+class _TokenAlways(TypedDict):
+    id: str
+    label: str
+    role: Any
+    environments: List[str]
+    state: Any
+    created: str
+    expires: Optional[str]
+    revoked: Optional[str]
+
+
+class Token(_TokenAlways, total=False):
+    token: str
+    max_requests_per_minute: int
+    max_bytes_per_day: int
+    max_queries: int
+
+
+class _AuditRecordAlways(TypedDict):
+    id: str
+    time: str
+    token: str
+    label: str
+    operation: str
+    target: str
+    status: int
+    result: str
+
+
+class AuditRecord(_AuditRecordAlways, total=False):
+    environment: Optional[str]
+    version: Optional[int]
+    bytes: int
+    request_id: str
 
 
 class Status(TypedDict, total=False):

@@ -4,6 +4,7 @@ import os
 from pathlib import Path
 from typing import Callable, Optional, Union
 
+from .access import Audit, Tokens
 from .cache import DownloadCache
 from .environments import Environments
 from .knowledge import (
@@ -18,6 +19,7 @@ from .knowledge import (
 from .questions import LikelyPlacesOf, Plans, Prolog, Reasons, Sparql, Watches
 from .server import Server
 from .transport import Transport
+from .uploads import Uploads
 
 
 class Client:
@@ -62,6 +64,9 @@ class Client:
         self.reasons = Reasons(*shared)
         self.watches = Watches(*shared)
         self.server = Server(*shared)
+        self.uploads = Uploads(*shared)
+        self.tokens = Tokens(*shared)
+        self.audit = Audit(*shared)
 
     def on_request(self, log: Optional[Callable[[str, str, int], None]]) -> None:
         """Calls `log(method, target, status)` for each answer that arrives."""

@@ -8,20 +8,38 @@ import tempfile
 from pathlib import Path
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union, cast
 
-from .answers import Environment, MapObject, Version, VersionAnswer
-from .bodies import Form, Progress, Source, name_of
+from .answers import (
+    Environment,
+    MapObject,
+    MergeAnswer,
+    Tag,
+    Version,
+    VersionAnswer,
+    VersionDiff,
+)
+from .bodies import ANY_TYPE, Form, Progress, Source, json_body, name_of
 from .cache import hash_of
 from .remote_file import RemoteFile, Saved
 from .resource import Resource, conditions
 from .transport import path_of
+from .uploads import REFERENCE_TYPE, Upload
 
 Number = Union[int, str]
 """Of a version, or "latest"."""
 
 
 class Environments(Resource):
-    def list(self) -> Iterator[Environment]:
-        return self._items("/v1/environments")
+    def list(
+        self, *, room_number: Optional[str] = None, street: Optional[str] = None,
+        building: Optional[str] = None, level: Optional[str] = None, type: Optional[str] = None,
+        holds: Optional[str] = None, layer: Optional[str] = None, text: Optional[str] = None,
+        changed_from: Optional[str] = None, changed_until: Optional[str] = None,
+    ) -> Iterator[Environment]:
+        """All of them, or those that are all of what is asked for."""
+        return self._items("/v1/environments", {
+            "room_number": room_number, "street": street, "building": building, "level": level,
+            "type": type, "holds": holds, "layer": layer, "q": text,
+            "changed_from": changed_from, "changed_until": changed_until})
 
     def get(self, id: str) -> Dict[str, Any]:
         """An environment, with its newest version as member "version"."""
@@ -34,12 +52,15 @@ class Environments(Resource):
     def put_version(
         self,
         id: str,
-        layers: Optional[Mapping[str, Source]] = None,
+        layers: Optional[Mapping[str, Union[Source, Upload]]] = None,
         *,
         type: Optional[str] = None,
         label: Optional[str] = None,
         author: Optional[str] = None,
         note: Optional[str] = None,
+        robot: Optional[str] = None,
+        mission: Optional[str] = None,
+        parent: Optional[int] = None,
         remove: Sequence[str] = (),
         editor: bool = False,
         quarantine: bool = False,
@@ -52,11 +73,15 @@ class Environments(Resource):
 
         `layers` are given by name (semantic, features, octomap, grid, cloud, trajectory); layers
         that are not named stay as they were. A grid may be the path of map_server's YAML: it goes
-        with the image that it names. Files are streamed, memory stays constant. A version that was
-        lost on the way is sent again only with an `idempotency_key`.
+        with the image that it names. Files are streamed, memory stays constant; over a bad link,
+        `uploads.send` one first and give what it answers. A version that was lost on the way is
+        sent again only with an `idempotency_key`. `parent` is the version that it was made from:
+        another one than the newest makes a branch, for `merge`.
         """
         fields = [(name, value) for name, value in
-                  (("type", type), ("label", label), ("author", author), ("note", note))
+                  (("type", type), ("label", label), ("author", author), ("note", note),
+                   ("robot", robot), ("mission", mission),
+                   ("parent", None if parent is None else str(parent)))
                   if value is not None]
         fields += [("remove", name) for name in remove]
         with tempfile.TemporaryDirectory(prefix="lares-") as folder:
@@ -105,6 +130,61 @@ class Environments(Resource):
             saved.append(file.save(there, progress, sha256=layer["sha256"]))
         return saved
 
+    def diff(
+        self, id: str, from_: Optional[Number] = None, to: Optional[Number] = None, *,
+        tolerance_m: Optional[float] = None, tolerance_rad: Optional[float] = None,
+    ) -> VersionDiff:
+        """What changed: by default from the version that the newest was made from."""
+        query = {"from": from_, "to": to, "tolerance_m": tolerance_m,
+                 "tolerance_rad": tolerance_rad}
+        return cast(VersionDiff, self._json(path_of("environments", id, "diff"), query))
+
+    def roll_back(self, id: str, to: Number, *, if_match: Optional[str] = None,
+                  **about: str) -> VersionAnswer:
+        """Makes an older version the newest again, as a new one; `about`: author, note, …"""
+        return cast(VersionAnswer, self._post(id, "rollback", {"to": to, **about}, if_match))
+
+    def merge(
+        self, id: str, theirs: Number, *, ours: Optional[Number] = None, dry_run: bool = False,
+        take: Optional[Mapping[str, str]] = None, otherwise: Optional[str] = None,
+        if_match: Optional[str] = None, **about: str,
+    ) -> MergeAnswer:
+        """Brings another version into the newest.
+
+        Conflicts are LaresError "merge-conflict", listed in its `problem`, until `take` (by layer
+        or IRI) or `otherwise` says "ours" or "theirs".
+        """
+        wanted = {"theirs": theirs, "ours": ours, "dry_run": dry_run or None,
+                  "take": dict(take or {}) or None, "otherwise": otherwise, **about}
+        body = {name: one for name, one in wanted.items() if one is not None}
+        return cast(MergeAnswer, self._post(id, "merge", body, if_match))
+
+    def tags(self, id: str) -> List[Tag]:
+        """Names of its versions."""
+        return cast(List[Tag], self._json(path_of("environments", id, "tags"))["items"])
+
+    def tag(self, id: str, name: str, version: Optional[Number] = None, *, move: bool = False,
+            **about: str) -> Tag:
+        """Names a version, which then may be asked for by it; one that is there needs `move`."""
+        wanted = {"version": version, "move": move or None, **about}
+        body = json_body({name: one for name, one in wanted.items() if one is not None})
+        answer = self._transport.request("PUT", path_of("environments", id, "tags", name),
+                                         body=body)
+        return cast(Tag, answer.json())
+
+    def untag(self, id: str, name: str) -> None:
+        """Takes a name off a version, which stays."""
+        self._transport.delete(path_of("environments", id, "tags", name))
+
+    def blob(self, sha256: str, name: Optional[str] = None) -> RemoteFile:
+        """A file by its hash: a link that never changes."""
+        return self._file(path_of("blobs", sha256), {"name": name})
+
+    def _post(self, id: str, what: str, body: Any, if_match: Optional[str]) -> Any:
+        answer = self._transport.request("POST", path_of("environments", id, what),
+                                         body=json_body(body), headers=conditions(if_match, False))
+        return answer.json()
+
     def tar(self, id: str, number: Number = "latest") -> RemoteFile:
         """All layers of a version and its manifest in one tar."""
         return self._file(path_of("environments", id, "versions", number) + ".tar")
@@ -122,10 +202,15 @@ def _grid_path(id: str, number: Number, robot: str) -> str:
     return path_of("environments", id, "versions", number, "robot-grid", robot)
 
 
-def _layer(name: str, source: Source, folder: str) -> Tuple[str, str, Source]:
+def _layer(
+    name: str, source: Union[Source, Upload], folder: str
+) -> Tuple[str, str, Source, str]:
+    if isinstance(source, Upload):
+        return name, source.file_name, source.path.encode(), REFERENCE_TYPE
     if name == "grid" and not isinstance(source, bytes) and name_of(source).endswith(".yaml"):
-        return name, "grid.tar", pack_grid(Path(os.fspath(source)), Path(folder) / "grid.tar")
-    return name, name_of(source, name), source
+        packed = pack_grid(Path(os.fspath(source)), Path(folder) / "grid.tar")
+        return name, "grid.tar", packed, ANY_TYPE
+    return name, name_of(source, name), source, ANY_TYPE
 
 
 def pack_grid(yaml: Path, archive: Path) -> Path:

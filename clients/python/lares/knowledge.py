@@ -1,9 +1,9 @@
 """Resources of what is known: ontology, priors, recipes, skills, robots, models, quarantine."""
 
 from pathlib import Path
-from typing import Any, Dict, Iterator, List, Optional, Sequence, cast
+from typing import Any, Dict, Iterator, List, Optional, Sequence, Union, cast
 
-from .bodies import Body, Form, Progress, Source, name_of
+from .bodies import ANY_TYPE, Body, Form, Progress, Source, json_body, name_of
 from .answers import (
     Alias,
     CheckAnswer,
@@ -11,8 +11,10 @@ from .answers import (
     Document,
     Module,
     ObjectModel,
+    Pin,
     PutAnswer,
     SkillTemplate,
+    TypicalModels,
     VersionAnswer,
 )
 from .remote_file import RemoteFile
@@ -137,6 +139,24 @@ class Robots(Documents):
         return cast(Dict[str, Any], answer.json())
 
 
+    def pins(self, id: str) -> List[Pin]:
+        """The versions of environments that it is pinned to."""
+        return cast(List[Pin], self._json(self._path(id) + "/pins")["items"])
+
+    def pin(self, id: str, environment: str, version: Union[None, int, str] = None,
+            author: Optional[str] = None) -> Pin:
+        """Keeps it at one version of an environment: a number or a tag, by default the newest."""
+        body = {"version": version, "author": author}
+        answer = self._transport.request(
+            "PUT", path_of("robots", id, "pins", environment),
+            body=json_body({name: one for name, one in body.items() if one is not None}))
+        return cast(Pin, answer.json())
+
+    def unpin(self, id: str, environment: str) -> None:
+        """Lets it use the newest version again."""
+        self._transport.delete(path_of("robots", id, "pins", environment))
+
+
 class ObjectModels(Documents):
     collection = "object-models"
 
@@ -154,8 +174,8 @@ class ObjectModels(Documents):
         chosen = id or Path(name).stem
         if not chosen:
             raise ValueError("content without a file name needs an id")
-        parts = [("description", name or "description", description)]
-        parts += [("file", name_of(file), file) for file in files]
+        parts = [("description", name or "description", description, ANY_TYPE)]
+        parts += [("file", name_of(file), file, ANY_TYPE) for file in files]
         answer = self._transport.request(
             "PUT", self._path(chosen),
             {"recover": recover, "editor": editor, "quarantine": quarantine},
@@ -167,9 +187,24 @@ class ObjectModels(Documents):
         """Not offered by the server: a model is put under an id."""
         raise TypeError("an object model has no add: put it")
 
-    def list(self, class_: Optional[str] = None) -> Iterator[ObjectModel]:
-        """All models, or those of a class and the classes below it."""
-        return self._items("/v1/object-models", {"class": class_})
+    def list(
+        self, class_: Optional[str] = None, *, room: Optional[str] = None,
+        maker: Optional[str] = None, algorithm: Optional[str] = None, kind: Optional[str] = None,
+    ) -> Iterator[ObjectModel]:
+        """All models, or those that are all of what is asked for."""
+        return self._items("/v1/object-models", {"class": class_, "room": room, "maker": maker,
+                                                 "algorithm": algorithm, "kind": kind})
+
+    def typical(
+        self, room: str, *, robot: Optional[str] = None, strict: bool = False,
+        prior: Optional[str] = None, min_probability: Optional[float] = None,
+        max_models: Optional[int] = None, max_bytes: Optional[int] = None,
+    ) -> TypicalModels:
+        """Which models are worth loading for a kind of room, and why each."""
+        query = {"room": room, "robot": robot, "strict": strict, "prior": prior,
+                 "min_probability": min_probability, "max_models": max_models,
+                 "max_bytes": max_bytes}
+        return cast(TypicalModels, self._json("/v1/object-models/typical", query))
 
     def model_file(self, id: str, name: str) -> RemoteFile:
         """One of the files that came with the description."""

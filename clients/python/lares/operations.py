@@ -63,7 +63,32 @@ OPERATIONS: Dict[str, str] = {
     "getStatus": "server.status",
     "getMetrics": "server.metrics",
     "getOpenApi": "server.openapi",
+    "diffEnvironmentVersions": "environments.diff",
+    "rollBackEnvironment": "environments.roll_back",
+    "mergeEnvironmentVersions": "environments.merge",
+    "listEnvironmentTags": "environments.tags",
+    "putEnvironmentTag": "environments.tag",
+    "deleteEnvironmentTag": "environments.untag",
+    "getBlob": "environments.blob",
+    "listRobotPins": "robots.pins",
+    "pinRobot": "robots.pin",
+    "unpinRobot": "robots.unpin",
+    "getTypicalObjectModels": "object_models.typical",
+    "describeUploads": "uploads.describe",
+    "createUpload": "uploads.create",
+    "getUploadOffset": "uploads.offset",
+    "continueUpload": "uploads.send",
+    "removeUpload": "uploads.remove",
+    "verifyStore": "server.verify",
+    "makeBackup": "server.back_up",
+    "listBackups": "server.backups",
+    "createToken": "tokens.create",
+    "listTokens": "tokens.list",
+    "getToken": "tokens.get",
+    "revokeToken": "tokens.revoke",
+    "listAudit": "audit.list",
 }
 
-FOR_BROWSERS = ("getStartPage", "getDocs", "getPageStyle", "getStartScript", "getDocsScript")
-"""Pages for people: no method speaks to them."""
+FOR_BROWSERS = ("getStartPage", "getDocs", "getPageStyle", "getStartScript", "getDocsScript",
+                "overrideUploadMethod")
+"""Pages for people, and a detour for those who cannot send PATCH: no method speaks to them."""

@@ -5,7 +5,7 @@ import time
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Union, cast
 
 from .answers import GoalAnswers, LikelyPlaces, PlanRequest
-from .bodies import Body
+from .bodies import Body, json_body
 from .errors import CutOffError, LaresError, NoServerError
 from .events import Event, events_of, lines_of
 from .resource import Resource
@@ -255,10 +255,6 @@ class Watches(Resource):
         asked: Dict[str, Any] = {"query": query, "subject": subject, "predicate": predicate,
                                  "object": object, "first": first, **about}
         return Watch(self, asked, reconnect, idle_timeout_s)
-
-
-def json_body(value: Any) -> Body:
-    return Body(json.dumps(value).encode(), "application/json")
 
 
 __all__: List[str] = ["LikelyPlacesOf", "Plans", "Prolog", "Reasons", "Sparql", "Watch", "Watches",

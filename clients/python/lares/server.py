@@ -1,8 +1,9 @@
 """The server itself."""
 
-from typing import Any, Dict, cast
+from typing import Any, Dict, List, cast
 
-from .answers import State, Status
+from .answers import Backup, State, Status
+from .bodies import json_body
 from .resource import Resource
 
 
@@ -22,6 +23,20 @@ class Server(Resource):
     def metrics(self) -> str:
         """Counts and durations, as Prometheus reads them."""
         return self._file("/metrics", cached=False).text()
+
+    def verify(self) -> Dict[str, Any]:
+        """Reads everything and checks it: {"problems", "digest"}; raise `timeout_s` for much."""
+        answer = self._transport.request("POST", "/v1/verification", safe=True)
+        return cast(Dict[str, Any], answer.json())
+
+    def back_up(self, name: str) -> Backup:
+        """Copies everything as it is at one moment, below the server's folder for that."""
+        answer = self._transport.request("POST", "/v1/backups", body=json_body({"name": name}))
+        return cast(Backup, answer.json())
+
+    def backups(self) -> List[Backup]:
+        """The finished ones, by name."""
+        return cast(List[Backup], self._json("/v1/backups")["items"])
 
     def openapi(self) -> Dict[str, Any]:
         """The description of the whole interface."""

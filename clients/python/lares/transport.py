@@ -45,7 +45,9 @@ class Response:
         raw: http.client.HTTPResponse,
         release: Callable[[bool], None],
         interrupt: Callable[[], None],
+        is_head: bool,
     ) -> None:
+        self._is_head = is_head
         self.status = raw.status
         self.headers: Dict[str, str] = {name.lower(): value for name, value in raw.getheaders()}
         self._raw = raw
@@ -70,7 +72,8 @@ class Response:
                 break
             got += len(piece)
             yield piece
-        whole = self.status == 304 or self.length is None or got == self.length
+        no_body = self._is_head or self.status == 304
+        whole = no_body or self.length is None or got == self.length
         self._end(whole)
         if not whole:
             raise CutOffError(f"the answer broke off after {got} of {self.length} bytes")
@@ -123,17 +126,14 @@ class Transport:
             raise ValueError(f"'{url}' is no address of a server: http:// or https:// and a host")
         if parts.path not in ("", "/") or parts.query or parts.fragment or parts.username:
             raise ValueError(f"'{url}' names more than a server")
-        if token is not None and (not token.isascii() or not token.isprintable() or " " in token):
-            raise ValueError("a token is one word of ASCII")
-        if token and parts.scheme == "http" and parts.hostname not in _LOOPBACK:
-            raise ValueError("a token is not sent over the network without TLS: use https://")
         self.url = url.rstrip("/")
         self.timeout_s = timeout_s
         self.retries = retries
         self.backoff_s = backoff_s
         self._host, self._port = parts.hostname, parts.port
         self._tls = ssl.create_default_context(cafile=ca_file) if parts.scheme == "https" else None
-        self._token = token
+        self._token: Optional[str] = None
+        self.use_token(token)
         self._idle: List[http.client.HTTPConnection] = []
         self._lock = threading.Lock()
         self.log: Optional[Callable[[str, str, int], None]] = None
@@ -177,6 +177,14 @@ class Transport:
                     raise
                 self._pause(attempt, fault.retry_after_s)
         raise AssertionError("not reached")
+
+    def use_token(self, token: Optional[str]) -> None:
+        """Sends this one from now on; ValueError for what is none, or may not be sent here."""
+        if token is not None and (not token.isascii() or not token.isprintable() or " " in token):
+            raise ValueError("a token is one word of ASCII")
+        if token and self._tls is None and self._host not in _LOOPBACK:
+            raise ValueError("a token is not sent over the network without TLS: use https://")
+        self._token = token
 
     def delete(self, path: str, if_match: Optional[str] = None) -> None:
         try:
@@ -229,7 +237,7 @@ class Transport:
             except OSError:
                 pass  # it ended by itself
 
-        response = Response(raw, release, interrupt)
+        response = Response(raw, release, interrupt, method == "HEAD")
         if response.status >= 400:
             raise error_of_response(response.status, response.headers, _fault_body(response))
         return response

@@ -185,6 +185,22 @@ class BadLinkTest(ServerTest):
         self.fails("precondition-failed", self.client.environments.put_version, "held",
                    {"features": big}, only_new=True)
 
+    def test_an_upload_goes_on_where_it_broke_off_and_becomes_a_layer(self) -> None:
+        file = trajectory(self.folder / "path.txt", 20_000)
+        link, client = self.through([None, 0, None], retries=1)
+        path = self.client.uploads.create(file.stat().st_size, "path.txt")
+        seen: List[int] = []
+        upload = client.uploads.send(file, path, progress=lambda done, total: seen.append(done))
+        self.assertEqual(seen[-1], file.stat().st_size)
+        self.assertGreater(link.connections, 1)
+        self.client.environments.put_version("sent", {"trajectory": upload}, type="Home",
+                                             idempotency_key="sent-1")
+        again = self.client.environments.put_version("sent", {"trajectory": upload}, type="Home",
+                                                     idempotency_key="sent-1")
+        self.assertEqual(again["version"]["number"], 1)
+        self.assertEqual(self.client.environments.layer("sent", "trajectory").read(),
+                         file.read_bytes())
+
     def test_memory_stays_constant(self) -> None:
         file = trajectory(self.folder / "long.txt", 1_500_000)
         self.assertGreater(file.stat().st_size, 40 << 20)

@@ -74,6 +74,7 @@ def calls(client: "lares.Client", folder: Any) -> Dict[str, Callable[[], Any]]:
             f"list{kind}Versions": lambda: list(resource.versions(id)),
         }
 
+    given: Dict[str, str] = {}
     module = folder / "mine.ttl"
     module.write_bytes(MODULE)
     (folder / "cart.urdf").write_bytes(URDF)
@@ -136,13 +137,45 @@ def calls(client: "lares.Client", folder: Any) -> Dict[str, Callable[[], Any]]:
             client.quarantine.versions("ontology.against")),
         "releaseQuarantinedDocument": lambda: _still_refused(client),
         "deleteQuarantinedDocument": lambda: client.quarantine.delete("ontology.against"),
+        "putEnvironmentTag": lambda: client.environments.tag("flat", "approved", 1),
+        "listEnvironmentTags": lambda: client.environments.tags("flat"),
+        "diffEnvironmentVersions": lambda: client.environments.diff("flat", 1, "approved"),
+        "rollBackEnvironment": lambda: client.environments.roll_back("flat", "approved"),
+        "mergeEnvironmentVersions": lambda: client.environments.merge("flat", 1, dry_run=True),
+        "deleteEnvironmentTag": lambda: client.environments.untag("flat", "approved"),
+        "getBlob": lambda: client.environments.blob(
+            client.environments.version("flat")["layers"][0]["sha256"]).read(),
+        "pinRobot": lambda: client.robots.pin("scout", "flat", 1),
+        "listRobotPins": lambda: client.robots.pins("scout"),
+        "unpinRobot": lambda: client.robots.unpin("scout", "flat"),
+        "getTypicalObjectModels": lambda: client.object_models.typical("Kitchen"),
+        "describeUploads": client.uploads.describe,
+        "createUpload": lambda: given.update(upload=client.uploads.create(4, "face.png")),
+        "getUploadOffset": lambda: client.uploads.offset(given["upload"]),
+        "continueUpload": lambda: client.uploads.send(picture, given["upload"]),
+        "removeUpload": lambda: client.uploads.remove(given["upload"]),
+        "verifyStore": client.server.verify,
+        "makeBackup": lambda: client.server.back_up("first"),
+        "listBackups": client.server.backups,
         "deletePrior": lambda: client.priors.delete("mine"),
         "deleteObjectModel": lambda: client.object_models.delete("cup"),
         "deleteSkillTemplate": lambda: client.skill_templates.delete(SKILL_ID),
         "deleteRobot": lambda: client.robots.delete("scout-2"),
         "deleteRecipe": lambda: client.recipes.delete("search"),
         "deleteOntologyModule": lambda: client.ontology.delete("mine"),
+        "createToken": lambda: _become_admin(client, given),
+        "listTokens": lambda: list(client.tokens.list()),
+        "getToken": lambda: client.tokens.get(given["token"]),
+        "revokeToken": lambda: (given.update(reader=client.tokens.create("r", "reader")["id"]),
+                                client.tokens.revoke(given["reader"])),
+        "listAudit": lambda: list(client.audit.list()),
     }
+
+
+def _become_admin(client: "lares.Client", given: Dict[str, str]) -> None:
+    token = client.tokens.create("me", "admin")
+    given["token"] = token["id"]
+    client.transport.use_token(token["token"])
 
 
 def _first_event(client: "lares.Client") -> None:
