@@ -197,6 +197,13 @@ class Environments(Resource):
         """The image that `robot_grid` names."""
         return self._file(_grid_path(id, number, robot) + "/map.pgm")
 
+    def thumbnail(
+        self, id: str, number: Number = "latest", size_px: Optional[int] = None
+    ) -> RemoteFile:
+        """A version from above, as a PNG whose longer side has `size_px` pixels (256)."""
+        path = path_of("environments", id, "versions", number) + "/thumbnail.png"
+        return self._file(path, None if size_px is None else {"size": size_px})
+
 
 def _grid_path(id: str, number: Number, robot: str) -> str:
     return path_of("environments", id, "versions", number, "robot-grid", robot)

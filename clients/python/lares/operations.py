@@ -46,6 +46,7 @@ OPERATIONS: Dict[str, str] = {
     "getEnvironmentTar": "environments.tar",
     "getRobotGrid": "environments.robot_grid",
     "getRobotGridImage": "environments.robot_grid_image",
+    "getEnvironmentThumbnail": "environments.thumbnail",
     **_documents("quarantine", "QuarantinedDocument", "QuarantinedDocuments", "put", "add"),
     "releaseQuarantinedDocument": "quarantine.release",
     "makePlan": "plans.make",

@@ -118,6 +118,7 @@ def calls(client: "lares.Client", folder: Any) -> Dict[str, Callable[[], Any]]:
         "getEnvironmentTar": lambda: client.environments.tar("flat").read(),
         "getRobotGrid": lambda: client.environments.robot_grid("flat", "scout").read(),
         "getRobotGridImage": lambda: client.environments.robot_grid_image("flat", "scout").read(),
+        "getEnvironmentThumbnail": lambda: client.environments.thumbnail("flat", size_px=64).read(),
         "makePlan": lambda: client.plans.make("search", "scout-2", set={"object": "Cup"}),
         "diffPlans": lambda: client.plans.diff(wanted, wanted),
         "findLikelyPlaces": lambda: client.likely_places.find("Cup"),
