@@ -93,9 +93,11 @@ http::ClientResponse Remote::Send(const http::ClientRequest& request,
 }
 
 http::ClientResponse Remote::Send(const http::ClientRequest& request,
-                                  const http::Transfer& transfer,
-                                  const http::Answered& answered) {
+                                  const http::Transfer& transfer, const http::Answered& answered) {
   http::ClientResponse response = client_.Send(request, transfer, answered);
+  if (request.method == "HEAD" && response.status == 404) {  // comes without a document
+    throw RemoteError("not-found", "there is no '" + request.path + "' at " + url(), "{}\n");
+  }
   const bool unchanged = response.status == 304 && request.headers.Has("If-None-Match");
   if (!unchanged && (response.status < 200 || response.status >= 300))
     ThrowProblem(response, url());

@@ -121,7 +121,7 @@ std::optional<std::string> BegunBefore(Sender& sender, const ResumableOptions& o
     sender.Ask(*path);
     return path;
   } catch (const RemoteError&) {
-    return std::nullopt;
+    return std::nullopt;  // it has expired
   }
 }
 

@@ -1,6 +1,7 @@
 // The command line against a real server.
 #pragma once
 
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct Outcome {
 
 class CliTest : public ApiTest {
  protected:
+  // A cache of this test's own.
+  CliTest() { ::setenv("XDG_CACHE_HOME", (folder_ / "cache").c_str(), 1); }
+
   Outcome Lares(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "lares");
     arguments.insert(arguments.end(), {"--server", url_.empty() ? server_->url() : url_});
