@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 struct GetOptions {
   std::string id;
-  int version = 0;
+  std::string version;  // a number or a tag; empty: the newest
   std::vector<std::string> layers;
   std::string out;
   bool offline_ok = false;
@@ -127,9 +127,9 @@ Json WriteVersion(const GetOptions& get, Json manifest, const Save& save) {
   return manifest;
 }
 
-Json GetFromServer(const GetOptions& get, const std::string& server, const Getting& getting) {
+Json GetFromServer(const GetOptions& get, const ServerAddress& server, const Getting& getting) {
   Remote remote(server);
-  const std::string asked = get.version > 0 ? std::to_string(get.version) : "latest";
+  const std::string asked = get.version.empty() ? "latest" : get.version;
   const KnownManifest known = AskForManifest(
       remote, get.id, asked, FindManifest(getting.cache, remote.url(), get.id, asked));
   const std::string version_path =
@@ -148,9 +148,9 @@ Json GetFromServer(const GetOptions& get, const std::string& server, const Getti
 }
 
 // The version that was got last, for a robot that cannot reach the server now.
-Json GetFromCache(const GetOptions& get, const std::string& server, const Getting& getting,
+Json GetFromCache(const GetOptions& get, const ServerAddress& server, const Getting& getting,
                   http::ConnectionError& fault) {
-  const std::string asked = get.version > 0 ? std::to_string(get.version) : "latest";
+  const std::string asked = get.version.empty() ? "latest" : get.version;
   const auto known = FindManifest(getting.cache, Remote(server).url(), get.id, asked);
   if (!known) {
     fault.WithHint("and no version of " + get.id + " was got from it before");
@@ -204,7 +204,7 @@ void AddEnvironmentGet(CLI::App& environment, const Options& options) {
                  "  lares environment get hospital-room --offline-ok --out room");
   auto get = std::make_shared<GetOptions>();
   command->add_option("ID", get->id)->required();
-  command->add_option("--version", get->version, "default: the newest")->check(CLI::PositiveNumber);
+  command->add_option("--version", get->version, "a number or a tag; default: the newest");
   command->add_option("--layer", get->layers, "only this one; may be repeated");
   command->add_option("--out", get->out, "folder to write; appears whole or not at all")
       ->required();
