@@ -405,10 +405,10 @@ TEST_F(KnowledgeTest, ObjectModelsAreFoundByTheirClassAndItsSuperclasses) {
   Put(DocumentKind::kObjectModel, "my-cup",
       std::string(kPrefixes) +
           ":model a lares:ObjectRecognitionModel ; lares:providesModelFor lares:Cup .\n");
-  EXPECT_EQ(knowledge_->ObjectModels("Cup").size(), 1U);
-  EXPECT_EQ(knowledge_->ObjectModels("DrinkingVessel").size(), 1U);
-  EXPECT_EQ(knowledge_->ObjectModels("Bed").size(), 0U);
-  EXPECT_EQ(knowledge_->ObjectModels("").size(), 1U);
+  EXPECT_EQ(knowledge_->ObjectModels({"Cup", "", "", "", ""}).size(), 1U);
+  EXPECT_EQ(knowledge_->ObjectModels({"DrinkingVessel", "", "", "", ""}).size(), 1U);
+  EXPECT_EQ(knowledge_->ObjectModels({"Bed", "", "", "", ""}).size(), 0U);
+  EXPECT_EQ(knowledge_->ObjectModels({"", "", "", "", ""}).size(), 1U);
 }
 
 TEST_F(KnowledgeTest, RoboEarthMapsOfOneRoomStayApart) {

@@ -93,7 +93,7 @@ class KeyTableTest : public ::testing::Test {
   static Time At(int ms) { return Time(std::chrono::milliseconds(ms)); }
 
   TemporaryFolder folder_{FastFolder()};
-  Database database_{folder_.path() / "keys.sqlite", Database::Access::kWrite, ""};
+  SqliteDatabase database_{folder_.path() / "keys.sqlite", SqliteDatabase::Access::kWrite, ""};
   KeyLimits limits_{std::chrono::milliseconds(100), 3, 1000};
 };
 

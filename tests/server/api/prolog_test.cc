@@ -103,7 +103,7 @@ TEST_F(PrologApiTest, MalformedQuestionsAreRefused) {
 
 TEST_F(PrologApiTest, AClientThatGoesAwayEndsItsGoal) {
   {
-    http::Client impatient(server_->url(), std::chrono::seconds(1));
+    http::Client impatient(server_->url(), {std::chrono::seconds(1), "", ""});
     http::ClientRequest request{"POST", "/v1/prolog", {}, {}, {}};
     request.headers.Set("Content-Type", "application/json");
     request.body = nlohmann::json{{"goal", "repeat, fail"}, {"timeout_s", 60}}.dump();
