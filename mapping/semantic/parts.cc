@@ -56,6 +56,10 @@ Belonging Parts::BelongingOf(rdf::TermId thing) const {
 
 bool Parts::IsPlace(rdf::TermId thing) const {
   if (view_.layers().empty()) return false;
+  for (const rdf::TermId kind :
+       {names_.room, names_.storey, names_.building, names_.street, names_.city}) {
+    if (Is(thing, kind)) return true;
+  }
   const rdf::Layer& own = *view_.layers().front();
   bool is_place = view_.IsAsserted({thing, names_.type, names_.place});
   view_.ForEach({thing, names_.type, rdf::kAnyTerm}, [&](const rdf::Triple& triple) {

@@ -281,24 +281,6 @@ void TypicalOptions::Check() const {
   if (!(lambda > 0) || !std::isfinite(lambda)) fail("lambda is a finite number above 0");
 }
 
-const char* ToString(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kLoaded:
-      return "loaded";
-    case Verdict::kNotTypical:
-      return "not-typical";
-    case Verdict::kTooRare:
-      return "too-rare";
-    case Verdict::kRobotLacks:
-      return "robot-lacks-algorithm";
-    case Verdict::kTooMany:
-      return "too-many";
-    case Verdict::kTooLarge:
-      return "too-large";
-  }
-  return "";
-}
-
 TypicalChoice ChooseTypical(prolog::EnginePool& engines, const rdf::View& view,
                             const places::PriorTable& rooms,
                             const std::vector<Candidate>& candidates,
