@@ -70,6 +70,16 @@ for map in "$data"/maps/*.owl; do
 done
 expect 0 lares where Bed --environment ias_hospital_room_with_objects
 has "seen"
+# Down as RDF/XML and up again: the same objects, with pose, class, times, model and wholes.
+layer="$LARES_SERVER/v1/environments/ias_hospital_room_with_objects/versions/latest/layers/semantic"
+expect 0 curl -fsS -H "Accept: application/rdf+xml" -o "$work/back.owl" "$layer"
+expect 0 lares environment put back --layer "semantic=$work/back.owl"
+for name in ias_hospital_room_with_objects back; do
+  curl -fsS "$LARES_SERVER/v1/environments/$name/versions/latest/objects?limit=1000" >"$work/objects-$name"
+done
+expect 0 cmp "$work/objects-ias_hospital_room_with_objects" "$work/objects-back"
+expect 0 cat "$work/objects-back"
+has "door_handle" "part_of" "SemanticEnvironmentMap7635" "position_m"
 expect 0 lares where Cabinet --environment ias_hospital_room
 has "seen" "cabinet1"
 stop_server
