@@ -62,7 +62,7 @@ http::Response ListBackups(const http::Request&, Context& context) {
   Json json{{"items", Json::array()}};
   std::error_code error;
   std::vector<fs::path> folders;
-  for (const fs::directory_entry& entry : fs::directory_iterator(BackupFolder(context), error)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(context.backups, error)) {
     if (fs::is_regular_file(entry.path() / "backup.json", error)) folders.push_back(entry.path());
   }
   std::sort(folders.begin(), folders.end());

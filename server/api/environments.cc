@@ -170,6 +170,9 @@ int ChosenVersion(const http::Request& request, const store::Store& store,
     throw Error(Code::kInvalid, "?version= and ?as_of= need an ?environment=");
   }
   if (name && as_of) throw Error(Code::kInvalid, "?version= and ?as_of= exclude one another");
+  // A number is looked up where the question is answered.
+  const bool is_number = name && name->find_first_not_of("0123456789") == std::string::npos;
+  if (is_number) return QueryNumber(request, "version", 0, 1, INT32_MAX);
   if (name) return FindVersion(request, store, environment, *name).number;
   FindEnvironment(request, store, environment);
   return store.VersionAsOf(environment, *as_of);

@@ -81,7 +81,7 @@ TEST(PlanPictureTest, ObjectStandsWhereAndHowItStands) {
 
 TEST(PlanPictureTest, SmallerObjectShowsOnTheLarger) {
   semantic::MapObject cup = Box(0, 0, 0, {0.2, 0.2, 0.1});
-  cup.class_iri = "x:Cup";
+  cup.class_iri = "x:Bottle";
   const Image image = DrawPlan(nullptr, {cup, Box(0, 0, 0, {2, 2, 0.7})}, {100});
   EXPECT_NE(At(image, 0.5, 0.5), At(image, 0.2, 0.5));
   EXPECT_TRUE(IsObject(At(image, 0.2, 0.5)));

@@ -49,6 +49,7 @@ TEST_F(IdempotencyTest, AReleasedKeyIsNewAgainAndAnAnsweredOneIsNotReleased) {
 }
 
 TEST_F(IdempotencyTest, AKeyOfAProcessThatEndedBeforeItWroteIsNew) {
+  if (store_->shared()) GTEST_SKIP() << "another server may be answering it: it stays for a day";
   keys().Take("k");
   Reopen();
   EXPECT_EQ(keys().Take("k").state, State::kNew);
@@ -68,6 +69,7 @@ TEST_F(IdempotencyTest, AVersionAndThatItsKeyIsDoneAreWrittenTogether) {
 }
 
 TEST_F(IdempotencyTest, ARefusedVersionDoesNotMarkItsKey) {
+  if (store_->shared()) GTEST_SKIP() << "another server may be answering it: it stays for a day";
   keys().Take("k");
   NewVersion version = Version("lab", {Layer("a", PutBlob("a"))}, "*");
   version.request_key = "k";

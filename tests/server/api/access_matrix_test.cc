@@ -70,6 +70,11 @@ Asked Example(const std::string& operation, const std::string& environment) {
     return {query, "", ""};
   }
   if (operation == "rankRobots") return {about, "", ""};
+  if (operation == "rollBackEnvironment") return {{}, "", R"({"to": 1})"};
+  if (operation == "mergeEnvironmentVersions") return {{}, "", R"({"theirs": 1})"};
+  if (operation == "putEnvironmentTag" || operation == "pinRobot") {
+    return {{}, "", R"({"version": 1})"};
+  }
   if (operation == "putEnvironmentVersion") {
     const http::EncodedForm form =
         http::EncodeForm({{"trajectory", kTrajectory, {}, "path.txt", "text/plain"}});
@@ -93,6 +98,9 @@ std::string PathFor(const http::Route& route, const std::string& environment) {
   Replace(path, "{number}", "1");
   Replace(path, "{name}", path.starts_with("/v1/environments/") ? "trajectory" : "thing");
   Replace(path, "{robot}", "pioneer");
+  Replace(path, "{tag}", "tagged");
+  Replace(path, "{environment}", environment);
+  Replace(path, "{sha256}", std::string(64, '0'));
   EXPECT_EQ(path.find('{'), std::string::npos) << route.path << " has a part that is new here";
   return path;
 }
@@ -119,6 +127,7 @@ class AccessMatrixTest : public ApiTest {
         version.layers = {{"trajectory", "path.txt", "text/plain", writer->Commit(), {}}};
         store_->PutVersion(version);
       }
+      store_->PutTag({environment, "tagged", 1, {}, "", ""}, true);
       const std::string aside = "environment." + environment;
       if (store_->FindDocument(store::DocumentKind::kQuarantined, aside)) continue;
       store::NewDocument document;

@@ -16,7 +16,7 @@ class BackupsApiTest : public ApiTest {
 
 TEST_F(BackupsApiTest, BackupIsMadeListedAndRestoresToTheSameDigest) {
   context_->backups = folder_ / "backups";
-  Send("PUT", "/v1/ontology/a", "text/turtle", kTurtle);
+  ASSERT_EQ(Send("PUT", "/v1/recipes/a", "text/turtle", kTurtle).status, 201);
   const auto made = Make("monday");
   ASSERT_EQ(made.status, 201) << made.body;
   EXPECT_EQ(Json(Get("/v1/backups"))["items"][0]["name"], "monday");
@@ -41,9 +41,9 @@ TEST_F(BackupsApiTest, ServerWithoutAFolderSaysHowToGetOne) {
 }
 
 TEST_F(BackupsApiTest, VerificationNamesWhatIsWrong) {
-  Send("PUT", "/v1/ontology/a", "text/turtle", kTurtle);
+  ASSERT_EQ(Send("PUT", "/v1/recipes/a", "text/turtle", kTurtle).status, 201);
   EXPECT_TRUE(Json(Send("POST", "/v1/verification", "", ""))["problems"].empty());
-  const std::string sha256 = store_->FindDocument(store::DocumentKind::kOntology, "a")->blob.sha256;
+  const std::string sha256 = store_->FindDocument(store::DocumentKind::kRecipe, "a")->blob.sha256;
   std::filesystem::resize_file(store_->BlobPath(sha256), 1);
   const auto problems = Json(Send("POST", "/v1/verification", "", ""))["problems"];
   ASSERT_FALSE(problems.empty());

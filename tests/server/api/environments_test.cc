@@ -183,8 +183,11 @@ TEST_F(EnvironmentsTest, NamesThatLeadNowhereAreNotFound) {
         "/v1/environments/lab/versions/1/layers/cloud", "/v1/environments/nowhere/versions"}) {
     EXPECT_EQ(Get(path).status, 404) << path;
   }
-  for (const char* number : {"0", "-1", "one", "1x", "99999999999"}) {
+  for (const char* number : {"0", "-1", "1x"}) {
     EXPECT_EQ(Get(std::string("/v1/environments/lab/versions/") + number).status, 422) << number;
+  }
+  for (const char* tag : {"one", "99999999999"}) {
+    EXPECT_EQ(Get(std::string("/v1/environments/lab/versions/") + tag).status, 404) << tag;
   }
 }
 

@@ -314,7 +314,7 @@ TEST_F(CliTest, CheckNamesEachFindingsPlaceAndEndsWithACodeOfItsOwn) {
 TEST_F(CliTest, ServeRefusesToFaceTheNetwork) {
   const Outcome refused = Lares({"serve", "--host", "0.0.0.0", "--port", "0", "--data",
                                  (folder_ / "other").string(), "--log-level", "off"});
-  EXPECT_EQ(refused.code, 2);
+  EXPECT_EQ(refused.code, 3);
   EXPECT_EQ(Lares({"serve", "--data", ""}).code, 2);
   EXPECT_EQ(Lares({"serve", "--log-level", "loud"}).code, 2);
   EXPECT_THAT(refused.err, HasSubstr("'0.0.0.0' is not this machine's loopback"));
