@@ -218,6 +218,8 @@ void Access::Answered(const http::Route& route, const http::Request& request,
     const auto held = std::static_pointer_cast<Held>(request.place);
     store_.AddAudit(
         RecordOf(route, rule, request, response, held ? held->bytes_read() : 0, now_()));
+    // The request itself lives on until its connection is done with it.
+    if (held) held->Arrived();
   } catch (const std::exception& error) {
     http::Log(http::LogLevel::kError, "a write is missing in the audit log",
               {{"request_id", request.id}, {"error", std::string(error.what())}});

@@ -49,4 +49,10 @@ std::uint64_t Held::Arriving(std::uint64_t bytes) {
   return use_->bytes_arriving;
 }
 
+void Held::Arrived() {
+  const std::lock_guard lock(use_->mutex);
+  use_->bytes_arriving -= bytes_;
+  bytes_ = 0;
+}
+
 }  // namespace lares::access

@@ -43,6 +43,8 @@ class Held {
   bool BeginQuery(std::int64_t most);
   // Counts on: `bytes` of the body in all. What is arriving in all requests of the token.
   std::uint64_t Arriving(std::uint64_t bytes);
+  // The write is answered: what it stored is counted elsewhere.
+  void Arrived();
   std::uint64_t bytes() const { return bytes_; }
   void Read(std::uint64_t bytes) { read_ += bytes; }
   std::uint64_t bytes_read() const { return read_; }
