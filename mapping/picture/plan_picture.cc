@@ -14,6 +14,8 @@ constexpr Colour kFree{255, 255, 255};
 constexpr Colour kOccupied{40, 40, 48};
 constexpr double kUnknownSide_m = 0.1;  // of an object without an extent
 constexpr double kMargin = 0.05;
+constexpr double kRoom_m2 = 5;  // what is larger than any piece of furniture
+constexpr double kTint = 0.25;
 constexpr double kSmallest_m = 1;   // what is shown at least, so that one cup fills no picture
 constexpr double kLargest_m = 1e5;  // beyond it a pose is a fault, and not shown
 
@@ -123,13 +125,8 @@ Colour GridColour(const grid::Grid* grid, double x, double y) {
   return *cell == grid::Cell::kFree ? kFree : kOccupied;
 }
 
-// What falls on a pixel: the darkest of the grid over its square, so that thin walls stay, then the
-// last object over its middle.
-Colour PixelAt(const grid::Grid* grid, const std::vector<Footprint>& footprints, double x, double y,
-               double side_m) {
-  for (auto it = footprints.rbegin(); it != footprints.rend(); ++it) {
-    if (it->Holds(x, y)) return it->colour;
-  }
+// The darkest of the grid over a pixel's square, so that thin walls stay.
+Colour FloorAt(const grid::Grid* grid, double x, double y, double side_m) {
   Colour colour = GridColour(grid, x, y);
   if (grid == nullptr) return colour;
   const int steps = std::clamp(static_cast<int>(side_m / grid->resolution_m), 0, 8);
@@ -140,6 +137,26 @@ Colour PixelAt(const grid::Grid* grid, const std::vector<Footprint>& footprints,
       if (other == kOccupied) return kOccupied;
       if (other == kFree) colour = kFree;
     }
+  }
+  return colour;
+}
+
+Colour Tinted(const Colour& below, const Colour& tint) {
+  Colour mixed{};
+  for (std::size_t i = 0; i < mixed.size(); ++i) {
+    mixed[i] = static_cast<std::uint8_t>(below[i] + kTint * (tint[i] - below[i]));
+  }
+  return mixed;
+}
+
+// The last object over the pixel's middle, or the floor; rooms only tint what is in them.
+Colour PixelAt(const grid::Grid* grid, const std::vector<Footprint>& footprints, double x, double y,
+               double side_m) {
+  Colour colour = FloorAt(grid, x, y, side_m);
+  for (const Footprint& footprint : footprints) {
+    if (!footprint.Holds(x, y)) continue;
+    const bool is_room = 4 * footprint.half_x * footprint.half_y > kRoom_m2;
+    colour = is_room ? Tinted(colour, footprint.colour) : footprint.colour;
   }
   return colour;
 }
