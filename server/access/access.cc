@@ -214,8 +214,10 @@ void Access::Answered(const http::Route& route, const http::Request& request,
                       const http::Response& response) noexcept {
   try {
     const Rule rule = table_.Of(route.operation, route.method);
-    if (rule.kind != Rule::Kind::kWrite) return;
     const auto held = std::static_pointer_cast<Held>(request.place);
+    // An answer that is made while it is sent holds its place until then.
+    if (held && std::holds_alternative<std::string>(response.body)) held->EndQuery();
+    if (rule.kind != Rule::Kind::kWrite) return;
     store_.AddAudit(
         RecordOf(route, rule, request, response, held ? held->bytes_read() : 0, now_()));
     // The request itself lives on until its connection is done with it.

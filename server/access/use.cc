@@ -49,6 +49,12 @@ std::uint64_t Held::Arriving(std::uint64_t bytes) {
   return use_->bytes_arriving;
 }
 
+void Held::EndQuery() {
+  const std::lock_guard lock(use_->mutex);
+  if (is_query_) --use_->queries_running;
+  is_query_ = false;
+}
+
 void Held::Arrived() {
   const std::lock_guard lock(use_->mutex);
   use_->bytes_arriving -= bytes_;

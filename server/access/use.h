@@ -45,6 +45,8 @@ class Held {
   std::uint64_t Arriving(std::uint64_t bytes);
   // The write is answered: what it stored is counted elsewhere.
   void Arrived();
+  // The query's answer is made.
+  void EndQuery();
   std::uint64_t bytes() const { return bytes_; }
   void Read(std::uint64_t bytes) { read_ += bytes; }
   std::uint64_t bytes_read() const { return read_; }
