@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "base/error.h"
 
@@ -14,7 +15,8 @@ constexpr Colour kFree{255, 255, 255};
 constexpr Colour kOccupied{40, 40, 48};
 constexpr double kUnknownSide_m = 0.1;  // of an object without an extent
 constexpr double kMargin = 0.05;
-constexpr double kRoom_m2 = 5;  // what is larger than any piece of furniture
+constexpr std::size_t kMostObjects = 2000;  // the largest; more than anybody could tell apart
+constexpr double kRoom_m2 = 5;              // what is larger than any piece of furniture
 constexpr double kTint = 0.25;
 constexpr double kSmallest_m = 1;   // what is shown at least, so that one cup fills no picture
 constexpr double kLargest_m = 1e5;  // beyond it a pose is a fault, and not shown
@@ -80,6 +82,7 @@ std::vector<Footprint> FootprintsOf(const std::vector<semantic::MapObject>& obje
   std::stable_sort(footprints.begin(), footprints.end(), [](const auto& a, const auto& b) {
     return a.half_x * a.half_y > b.half_x * b.half_y;
   });
+  if (footprints.size() > kMostObjects) footprints.resize(kMostObjects);
   return footprints;
 }
 
@@ -149,16 +152,38 @@ Colour Tinted(const Colour& below, const Colour& tint) {
   return mixed;
 }
 
-// The last object over the pixel's middle, or the floor; rooms only tint what is in them.
-Colour PixelAt(const grid::Grid* grid, const std::vector<Footprint>& footprints, double x, double y,
-               double side_m) {
-  Colour colour = FloorAt(grid, x, y, side_m);
-  for (const Footprint& footprint : footprints) {
-    if (!footprint.Holds(x, y)) continue;
-    const bool is_room = 4 * footprint.half_x * footprint.half_y > kRoom_m2;
-    colour = is_room ? Tinted(colour, footprint.colour) : footprint.colour;
+// How pixels lie in the map frame.
+struct Plan {
+  double left_m = 0, top_m = 0;  // of the picture's corner
+  double side_m = 0;             // of a pixel
+
+  double XOf(std::uint32_t column) const { return left_m + (column + 0.5) * side_m; }
+  double YOf(std::uint32_t row) const { return top_m - (row + 0.5) * side_m; }
+};
+
+// The pixels, first and beyond the last, that reach from `from` to `to` (in pixels), within `size`.
+std::pair<std::uint32_t, std::uint32_t> Span(double from, double to, std::uint32_t size) {
+  return {static_cast<std::uint32_t>(std::clamp(std::floor(from), 0.0, static_cast<double>(size))),
+          static_cast<std::uint32_t>(std::clamp(std::ceil(to), 0.0, static_cast<double>(size)))};
+}
+
+// Over what lies there already; rooms only tint what is in them.
+void Draw(const Footprint& footprint, const Plan& plan, Image& image) {
+  const bool is_room = 4 * footprint.half_x * footprint.half_y > kRoom_m2;
+  const double reach_m = std::hypot(footprint.half_x, footprint.half_y);
+  const auto [first_column, end_column] =
+      Span((footprint.middle.x() - reach_m - plan.left_m) / plan.side_m,
+           (footprint.middle.x() + reach_m - plan.left_m) / plan.side_m, image.width);
+  const auto [first_row, end_row] =
+      Span((plan.top_m - footprint.middle.y() - reach_m) / plan.side_m,
+           (plan.top_m - footprint.middle.y() + reach_m) / plan.side_m, image.height);
+  for (std::uint32_t row = first_row; row < end_row; ++row) {
+    for (std::uint32_t column = first_column; column < end_column; ++column) {
+      if (!footprint.Holds(plan.XOf(column), plan.YOf(row))) continue;
+      Colour& pixel = image.pixels[static_cast<std::size_t>(row) * image.width + column];
+      pixel = is_room ? Tinted(pixel, footprint.colour) : footprint.colour;
+    }
   }
-  return colour;
 }
 
 }  // namespace
@@ -178,14 +203,14 @@ Image DrawPlan(const grid::Grid* grid, const std::vector<semantic::MapObject>& o
   image.width = std::max(1u, static_cast<std::uint32_t>(std::lround(width_m / side_m)));
   image.height = std::max(1u, static_cast<std::uint32_t>(std::lround(height_m / side_m)));
   image.pixels.reserve(static_cast<std::size_t>(image.width) * image.height);
-  const double left = (shown.min_x + shown.max_x - width_m) / 2;
-  const double top = (shown.min_y + shown.max_y + height_m) / 2;
+  const Plan plan{(shown.min_x + shown.max_x - width_m) / 2,
+                  (shown.min_y + shown.max_y + height_m) / 2, side_m};
   for (std::uint32_t row = 0; row < image.height; ++row) {
     for (std::uint32_t column = 0; column < image.width; ++column) {
-      image.pixels.push_back(PixelAt(grid, footprints, left + (column + 0.5) * side_m,
-                                     top - (row + 0.5) * side_m, side_m));
+      image.pixels.push_back(FloorAt(grid, plan.XOf(column), plan.YOf(row), side_m));
     }
   }
+  for (const Footprint& footprint : footprints) Draw(footprint, plan, image);
   return image;
 }
 

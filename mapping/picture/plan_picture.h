@@ -16,9 +16,9 @@ struct PlanOptions {
 
 // North up: y of the map frame upwards, x to the right. Occupied cells are dark, free ones white,
 // unknown ones grey; objects are boxes in the colour of their class, as they stand and as large as
-// they are (10 cm where that is not known); what is larger than 5 m², a room, only tints. The
-// picture shows what is known and 5 % around it, and is grey where nothing is. `grid` may be null.
-// Throws kInvalid for a size out of range.
+// they are (10 cm where that is not known); what is larger than 5 m², a room, only tints. Of more
+// than 2000 the largest are drawn. The picture shows what is known and 5 % around it, and is grey
+// where nothing is. `grid` may be null. Throws kInvalid for a size out of range.
 Image DrawPlan(const grid::Grid* grid, const std::vector<semantic::MapObject>& objects,
                const PlanOptions& options = {});
 

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "server/api/answers.h"
 #include "server/api/context.h"
+#include "server/api/json_body.h"
 
 namespace lares::api {
 namespace {
@@ -26,11 +27,9 @@ fs::path BackupFolder(const Context& context) {
 }
 
 std::string ReadName(const http::Request& request) {
-  const PlainJson json =
-      PlainJson::parse(http::ReadWholeBody(request, kMaxBody), nullptr, /*allow_exceptions=*/false);
-  if (!json.is_object() || json.size() != 1 || !json.contains("name") ||
-      !json["name"].is_string()) {
-    throw Error(Code::kInvalid, "the body must be {\"name\": \"…\"}");
+  const PlainJson json = ReadJsonObject(http::ReadWholeBody(request, kMaxBody), {"name"});
+  if (!json.contains("name") || !json["name"].is_string()) {
+    throw Error(Code::kInvalid, "'name' must be a text");
   }
   const std::string name = json["name"].get<std::string>();
   if (!IsIdentifier(name)) {

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "server/api/answers.h"
 #include "server/api/environments.h"
+#include "server/api/json_body.h"
 #include "server/api/scope.h"
 #include "server/http/problem.h"
 #include "server/knowledge/versions.h"
@@ -19,24 +20,10 @@ using PlainJson = nlohmann::json;
 
 constexpr std::uint64_t kMaxBody = 1u << 20;
 
-// A request's JSON object, with no members but `known`.
+// Nothing is an empty object.
 PlainJson ReadObject(const http::Request& request, const std::vector<std::string>& known) {
   const std::string body = http::ReadWholeBody(request, kMaxBody);
-  if (body.empty()) return PlainJson::object();
-  PlainJson json;
-  try {
-    json = PlainJson::parse(body);
-  } catch (const PlainJson::parse_error& error) {
-    throw http::ProblemError("bad-request", std::string("the body is no JSON: ") + error.what());
-  }
-  if (!json.is_object()) throw Error(Code::kInvalid, "the body must be a JSON object");
-  for (const auto& [name, value] : json.items()) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
-      throw Error(Code::kInvalid, "'" + name + "' is not known here")
-          .WithHint("the members are " + Join(known, ", "));
-    }
-  }
-  return json;
+  return body.empty() ? PlainJson::object() : ReadJsonObject(body, known);
 }
 
 std::string Text(const PlainJson& json, const char* name) {

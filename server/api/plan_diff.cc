@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "recipes/plan/export.h"
 #include "server/api/context.h"
+#include "server/api/json_body.h"
 #include "server/api/plans.h"
 #include "server/api/scope.h"
 #include "server/http/media_type.h"
@@ -15,23 +16,6 @@ namespace {
 using PlainJson = nlohmann::json;
 
 constexpr std::uint64_t kMaxDiffRequest = 16u << 20;
-
-PlainJson ReadSides(const std::string& body) {
-  PlainJson json;
-  try {
-    json = PlainJson::parse(body);
-  } catch (const PlainJson::parse_error& error) {
-    throw http::ProblemError("bad-request", std::string("the body is no JSON: ") + error.what());
-  }
-  if (!json.is_object()) throw Error(Code::kInvalid, "the body must be a JSON object");
-  for (const auto& [name, value] : json.items()) {
-    if (name != "a" && name != "b") {
-      throw Error(Code::kInvalid, "'" + name + "' is not known here")
-          .WithHint("the members are a and b, each a plan or what asks for one");
-    }
-  }
-  return json;
-}
 
 // A plan is taken as it is; anything else asks for one.
 recipes::Plan ReadOrMakePlan(const PlainJson& side, const http::Request& request,
@@ -74,7 +58,7 @@ bool WantsText(const http::Request& request) {
 
 http::Response Compare(const http::Request& request, Context& context) {
   const bool text = WantsText(request);
-  const PlainJson sides = ReadSides(http::ReadWholeBody(request, kMaxDiffRequest));
+  const PlainJson sides = ReadJsonObject(http::ReadWholeBody(request, kMaxDiffRequest), {"a", "b"});
   const recipes::Plan a = PlanOf(sides, "a", request, context);
   const recipes::Plan b = PlanOf(sides, "b", request, context);
   const recipes::PlanDiff diff = recipes::DiffPlans(a, b);

@@ -4,6 +4,7 @@
 #include "recipes/plan/export.h"
 #include "server/api/answers.h"
 #include "server/api/context.h"
+#include "server/api/json_body.h"
 #include "server/api/package.h"
 #include "server/api/plans.h"
 #include "server/api/recipe_robots.h"
@@ -40,23 +41,8 @@ Value Member(const PlainJson& json, const char* name, Value otherwise, const cha
 }  // namespace
 
 server::PlanRequest ReadPlanRequest(const std::string& body) {
-  PlainJson json;
-  try {
-    json = PlainJson::parse(body);
-  } catch (const PlainJson::parse_error& error) {
-    throw http::ProblemError("bad-request", std::string("the body is no JSON: ") + error.what());
-  }
-  if (!json.is_object()) throw Error(Code::kInvalid, "the body must be a JSON object");
-  static constexpr const char* kKnown[] = {"task", "robot",     "environment", "version", "strict",
-                                           "set",  "templates", "sequential",  "from",    "done"};
-  for (const auto& [name, value] : json.items()) {
-    if (std::find(std::begin(kKnown), std::end(kKnown), name) == std::end(kKnown)) {
-      throw Error(Code::kInvalid, "'" + name + "' is not known here")
-          .WithHint(
-              "the members are task, robot, environment, version, strict, templates, set, "
-              "sequential, from, done");
-    }
-  }
+  const PlainJson json = ReadJsonObject(body, {"task", "robot", "environment", "version", "strict",
+                                               "templates", "set", "sequential", "from", "done"});
   server::PlanRequest request;
   request.task = Member<std::string>(json, "task", "", "a text");
   request.robot = Member<std::string>(json, "robot", "", "a text");

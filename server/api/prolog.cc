@@ -4,6 +4,7 @@
 #include "reasoner/prolog_worker/workers.h"
 #include "server/api/answers.h"
 #include "server/api/context.h"
+#include "server/api/json_body.h"
 #include "server/api/scope.h"
 #include "server/http/media_type.h"
 #include "server/http/problem.h"
@@ -47,27 +48,10 @@ int Whole(const Json& json, const char* name, int otherwise, int least, int most
   return found->get<int>();
 }
 
-Json ReadObject(const http::Request& request) {
-  Json json;
-  try {
-    json = Json::parse(http::ReadWholeBody(request, kMaxBody));
-  } catch (const Json::parse_error& error) {
-    throw http::ProblemError("bad-request", std::string("the body is no JSON: ") + error.what());
-  }
-  if (!json.is_object()) throw Error(Code::kInvalid, "the body must be a JSON object");
-  static constexpr const char* kKnown[] = {"goal",    "recipe", "robot",    "environment",
-                                           "version", "limit",  "timeout_s"};
-  for (const auto& [name, value] : json.items()) {
-    if (std::find(std::begin(kKnown), std::end(kKnown), name) == std::end(kKnown)) {
-      throw Error(Code::kInvalid, "'" + name + "' is not known here")
-          .WithHint("the members are goal, recipe, robot, environment, version, limit, timeout_s");
-    }
-  }
-  return json;
-}
-
 Question ReadQuestion(const http::Request& request) {
-  const Json json = ReadObject(request);
+  const Json json =
+      ReadJsonObject(http::ReadWholeBody(request, kMaxBody),
+                     {"goal", "recipe", "robot", "environment", "version", "limit", "timeout_s"});
   Question question;
   question.goal.goal = Member<std::string>(json, "goal", "", "a text");
   if (question.goal.goal.empty()) throw Error(Code::kInvalid, "'goal' is missing");

@@ -8,8 +8,8 @@
 namespace lares::api {
 namespace {
 
-// Some hundred, of some kilobytes each.
-constexpr std::size_t kKept = 512;
+// Of some kilobytes each; the largest have half a megabyte.
+constexpr std::size_t kKept = 128;
 
 http::Response GetThumbnail(const http::Request& request, Context& context, TextCache& kept) {
   const store::EnvironmentVersion version = FindVersion(request, context);

@@ -7,6 +7,7 @@
 #include "server/access/access.h"
 #include "server/api/answers.h"
 #include "server/api/context.h"
+#include "server/api/json_body.h"
 #include "server/http/problem.h"
 #include "server/http/url.h"
 
@@ -54,30 +55,10 @@ void ReadLimit(const Json& json, const char* name, std::int64_t& limit) {
   limit = found->get<std::int64_t>();
 }
 
-Json ReadObject(const http::Request& request) {
-  Json json = Json::parse(http::ReadWholeBody(request, kMaxBody), nullptr, false);
-  if (json.is_discarded()) throw http::ProblemError("bad-request", "the body is no JSON");
-  if (!json.is_object()) throw Error(Code::kInvalid, "the body must be a JSON object");
-  static constexpr const char* kKnown[] = {"label",
-                                           "role",
-                                           "environments",
-                                           "expires",
-                                           "max_requests_per_minute",
-                                           "max_bytes_per_day",
-                                           "max_queries"};
-  for (const auto& [name, value] : json.items()) {
-    if (std::find(std::begin(kKnown), std::end(kKnown), name) == std::end(kKnown)) {
-      throw Error(Code::kInvalid, "'" + name + "' is not known here")
-          .WithHint(
-              "the members are label, role, environments, expires, "
-              "max_requests_per_minute, max_bytes_per_day, max_queries");
-    }
-  }
-  return json;
-}
-
 access::NewToken ReadToken(const http::Request& request) {
-  const Json json = ReadObject(request);
+  const Json json = ReadJsonObject(http::ReadWholeBody(request, kMaxBody),
+                                   {"label", "role", "environments", "expires",
+                                    "max_requests_per_minute", "max_bytes_per_day", "max_queries"});
   access::NewToken token;
   std::string role, expires;
   Read(json, "label", "a text", token.label);

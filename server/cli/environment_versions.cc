@@ -14,20 +14,6 @@ namespace {
 
 constexpr const char* kCollection = "/v1/environments";
 
-Json SendJson(const Options& options, const std::string& method, const std::string& path,
-              const Json& body) {
-  Remote remote(options.server);
-  http::ClientRequest request;
-  request.method = method;
-  request.path = path;
-  if (!body.is_null()) {
-    request.headers.Set("Content-Type", "application/json");
-    request.body = body.dump();
-  }
-  const std::string answer = remote.Send(request).body;
-  return answer.empty() ? Json() : Json::parse(answer);
-}
-
 // A version in a body: a number where it is one, else a tag.
 Json VersionJson(const std::string& text) {
   const bool is_number = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
@@ -177,8 +163,9 @@ void AddRollBack(CLI::App& environment, const Options& options) {
   command->callback([=, &options] {
     Json body{{"to", VersionJson(*to)}};
     PutBy(*by, body);
-    PrintVersion(*id, SendJson(options, "POST", PathOf(kCollection, {*id, "rollback"}), body),
-                 options);
+    PrintVersion(
+        *id, Remote(options.server).SendJson("POST", PathOf(kCollection, {*id, "rollback"}), body),
+        options);
   });
 }
 
@@ -234,7 +221,8 @@ Json MergeBody(const MergeOptions& merge) {
 void Merge(const MergeOptions& merge, const Options& options) {
   try {
     const Json answer =
-        SendJson(options, "POST", PathOf(kCollection, {merge.id, "merge"}), MergeBody(merge));
+        Remote(options.server)
+            .SendJson("POST", PathOf(kCollection, {merge.id, "merge"}), MergeBody(merge));
     if (answer.contains("version")) return PrintVersion(merge.id, answer, options);
     if (options.json) return PrintJson(answer);
     const Json& conflicts = answer.at("conflicts");
@@ -290,7 +278,7 @@ void ListTags(const TagOptions& tag, const Options& options) {
 void PutOrDeleteTag(const TagOptions& tag, const Options& options) {
   const std::string path = PathOf(kCollection, {tag.id, "tags", tag.name});
   if (tag.remove) {
-    SendJson(options, "DELETE", path, Json());
+    Remote(options.server).SendJson("DELETE", path, Json());
     return Print("tag " + tag.name + " removed\n");
   }
   Json body = Json::object();
@@ -298,7 +286,7 @@ void PutOrDeleteTag(const TagOptions& tag, const Options& options) {
   if (tag.move) body["move"] = true;
   if (!tag.author.empty()) body["author"] = tag.author;
   if (!tag.note.empty()) body["note"] = tag.note;
-  const Json answer = SendJson(options, "PUT", path, body);
+  const Json answer = Remote(options.server).SendJson("PUT", path, body);
   if (options.json) return PrintJson(answer);
   Print(tag.name + " is version " + std::to_string(answer.value("version", 0)) + " of " + tag.id +
         "\n");
@@ -359,12 +347,12 @@ void AddRobotPins(CLI::App& robot, const Options& options) {
     }
     const std::string path = PathOf("/v1/robots", {*name, "pins", *environment});
     if (*remove) {
-      SendJson(options, "DELETE", path, Json());
+      Remote(options.server).SendJson("DELETE", path, Json());
       return Print(*name + " uses the newest version of " + *environment + " again\n");
     }
     Json body = Json::object();
     if (!version->empty()) body["version"] = VersionJson(*version);
-    const Json answer = SendJson(options, "PUT", path, body);
+    const Json answer = Remote(options.server).SendJson("PUT", path, body);
     if (options.json) return PrintJson(answer);
     Print(*name + " uses version " + std::to_string(answer.value("version", 0)) + " of " +
           *environment + "\n");

@@ -104,6 +104,18 @@ http::ClientResponse Remote::Send(const http::ClientRequest& request,
   return response;
 }
 
+Json Remote::SendJson(const std::string& method, const std::string& path, const Json& body) {
+  http::ClientRequest request;
+  request.method = method;
+  request.path = path;
+  if (!body.is_null()) {
+    request.headers.Set("Content-Type", "application/json");
+    request.body = body.dump();
+  }
+  const std::string answer = Send(request).body;
+  return answer.empty() ? Json() : Json::parse(answer);
+}
+
 Json Remote::GetJson(const std::string& path,
                      const std::multimap<std::string, std::string>& query) {
   const http::ClientResponse response = Send({"GET", path, query, {}, {}});

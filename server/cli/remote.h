@@ -44,6 +44,8 @@ class Remote {
                             const http::Transfer& transfer = {});
   http::ClientResponse Send(const http::ClientRequest& request, const http::Transfer& transfer,
                             const http::Answered& answered);
+  // With `body` as JSON, none when it is null; the answer's JSON, null when it has no body.
+  Json SendJson(const std::string& method, const std::string& path, const Json& body);
   Json GetJson(const std::string& path, const std::multimap<std::string, std::string>& query = {});
   // Every page of a list as one: {"items": […], "count": n}.
   Json GetList(const std::string& path, std::multimap<std::string, std::string> query = {});

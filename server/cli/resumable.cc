@@ -125,6 +125,13 @@ std::optional<std::string> BegunBefore(Sender& sender, const ResumableOptions& o
   }
 }
 
+std::string BeginUpload(Sender& sender, const ResumableOptions& options, const std::string& note) {
+  const std::optional<std::string> before = BegunBefore(sender, options, note);
+  const std::string path = before ? *before : sender.Create();
+  if (options.cache) options.cache->KeepText(note, path);
+  return path;
+}
+
 }  // namespace
 
 FinishedUpload UploadFile(Remote& remote, const std::string& what, const fs::path& file,
@@ -132,19 +139,19 @@ FinishedUpload UploadFile(Remote& remote, const std::string& what, const fs::pat
   const std::string sha256 = Sha256OfFile(file);
   Sender sender(remote, what, file);
   const std::string note = NoteName(remote, sha256);
-  std::optional<std::string> path = BegunBefore(sender, options, note);
-  if (!path) path = sender.Create();
-  if (options.cache) options.cache->KeepText(note, *path);
+  std::optional<std::string> path;
   Patience patience(options.patience);
   for (bool again = false;; again = true) {
     try {
+      if (!path) path = BeginUpload(sender, options, note);
       const State state = SendRest(sender, *path, patience, again);
       if (state.sha256 == sha256) return {*path, sha256};
       ForgetUpload(remote, {*path, sha256}, options);
       throw Error(Code::kIo, what + " arrived damaged, or changed while it was sent");
     } catch (Error& error) {
       // A conflict is one about the offset: it is asked for again.
-      const bool passing = IsPassing(error) || IsCode(error, "conflict");
+      const bool was_never_there = !path && dynamic_cast<const http::NoServerError*>(&error);
+      const bool passing = !was_never_there && (IsPassing(error) || IsCode(error, "conflict"));
       if (passing && patience.Wait()) continue;
       if (passing) error.WithHint("the same command with --resume goes on where it stopped");
       throw;

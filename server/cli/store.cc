@@ -34,11 +34,7 @@ Json VerifyHere(const StorePlace& place) {
 }
 
 Json VerifyRunning(const Options& options) {
-  Remote remote(options.server);
-  http::ClientRequest request;
-  request.method = "POST";
-  request.path = "/v1/verification";
-  return Json::parse(remote.Send(request).body);
+  return Remote(options.server).SendJson("POST", "/v1/verification", Json());
 }
 
 void Verify(const StorePlace& place, const Options& options) {
@@ -67,13 +63,7 @@ void Backup(const StorePlace& place, const std::string& folder, const Options& o
 }
 
 void BackupRunning(const std::string& name, const Options& options) {
-  Remote remote(options.server);
-  http::ClientRequest request;
-  request.method = "POST";
-  request.path = "/v1/backups";
-  request.headers.Set("Content-Type", "application/json");
-  request.body = Json{{"name", name}}.dump();
-  const Json report = Json::parse(remote.Send(request).body);
+  const Json report = Remote(options.server).SendJson("POST", "/v1/backups", Json{{"name", name}});
   if (options.json) return PrintJson(report);
   Print("backed up to '" + TextOf(report, "folder") + "' on the server's machine\ndigest " +
         TextOf(report, "digest") + "\n");

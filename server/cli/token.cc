@@ -54,12 +54,7 @@ Json CreateOverHttp(const TokenOptions& token, const Options& options) {
             {"max_bytes_per_day", token.limits.max_bytes_per_day},
             {"max_queries", token.limits.max_queries}};
   if (const auto expires = ExpiryOf(token)) body["expires"] = ToRfc3339(*expires);
-  http::ClientRequest request;
-  request.method = "POST";
-  request.path = kCollection;
-  request.headers.Set("Content-Type", "application/json");
-  request.body = body.dump();
-  return Json::parse(Remote(options.server).Send(request).body);
+  return Remote(options.server).SendJson("POST", kCollection, body);
 }
 
 // Into a store itself; a folder may not be open in a server.

@@ -182,6 +182,7 @@ const rdf::AliasTable& Knowledge::aliases() const { return state_->aliases; }
 
 std::vector<Knowledge::Module> Knowledge::Modules() const {
   std::vector<Module> modules = state_->catalogue()->modules;
+  const std::shared_lock lock(state_->catalogue_mutex);
   modules.insert(modules.end(), state_->set_aside.begin(), state_->set_aside.end());
   return modules;
 }

@@ -7,15 +7,17 @@
 #include "server/knowledge/state.h"
 
 namespace lares::server {
-namespace {
 
-// One document that cannot be read any more must not keep all others from being served.
-void SetAside(std::vector<Knowledge::Module>& aside, const std::string& id, const Error& error) {
-  std::erase_if(aside, [&](const Knowledge::Module& module) { return module.id == id; });
-  aside.push_back({id, "set aside: " + error.FullMessage(), 0});
+void Knowledge::State::Restore(const std::string& id) {
+  const std::unique_lock lock(catalogue_mutex);
+  std::erase_if(set_aside, [&](const Module& module) { return module.id == id; });
 }
 
-}  // namespace
+void Knowledge::State::SetAside(const std::string& id, const Error& error) {
+  Restore(id);
+  const std::unique_lock lock(catalogue_mutex);
+  set_aside.push_back({id, "set aside: " + error.FullMessage(), 0});
+}
 
 bool Knowledge::State::TakeOverCatalogue() {
   std::vector<store::DocumentInfo> documents = store.ListDocuments(store::DocumentKind::kOntology);
@@ -38,8 +40,11 @@ bool Knowledge::State::TakeOverCatalogue() {
                     store.DocumentLog(document.kind, document.id).back().received,
                     nlohmann::json::parse(document.details_json).value("editor", false));
       stored_graphs[name] = std::move(graph);
+      Restore(document.id);
     } catch (const Error& error) {
-      SetAside(set_aside, document.id, error);
+      // One document that cannot be read any more must not keep all others from being served.
+      stored_graphs.erase(name);
+      SetAside(document.id, error);
     }
   }
   for (auto it = taken_over.begin(); it != taken_over.end();) {

@@ -36,12 +36,15 @@ struct Knowledge::State {
   rdf::AliasTable aliases;
   rdf::View own{dictionary};  // the layer of our own modules
 
-  std::vector<Module> set_aside;  // stored ontology documents that could not be read at start
+  // Stored documents of the catalogue that could not be read; under catalogue_mutex.
+  std::vector<Module> set_aside;
+  void SetAside(const std::string& id, const Error& error);
+  void Restore(const std::string& id);
 
   std::mutex ontology_mutex;  // one change of the catalogue at a time
   // Stored ontology modules and skill templates by the names of their graphs; under ontology_mutex.
   std::map<std::string, rdf::Graph> stored_graphs;
-  mutable std::shared_mutex catalogue_mutex;  // guards the pointer only
+  mutable std::shared_mutex catalogue_mutex;  // of the pointer and of set_aside
   std::shared_ptr<const CatalogueState> catalogue_now;
 
   Changes changes;

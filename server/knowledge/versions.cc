@@ -35,6 +35,11 @@ const store::LayerInfo* Find(const Layers& layers, const std::string& name) {
   return found == layers.end() ? nullptr : &found->second;
 }
 
+bool IsByEditor(const store::EnvironmentVersion& version) {
+  return std::any_of(version.layers.begin(), version.layers.end(),
+                     [](const auto& layer) { return layer.facts.count("editor") > 0; });
+}
+
 std::optional<store::Blob> BlobOf(const store::LayerInfo* layer) {
   return layer == nullptr ? std::nullopt : std::optional(layer->blob);
 }
@@ -257,7 +262,8 @@ MergeAnswer MergeVersions(Knowledge& knowledge, const MergeRequest& request) {
     version.note = "version " + std::to_string(theirs.number) + " merged";
   }
   if (version.if_match.empty()) version.if_match = ours.etag();
-  answer.merged = knowledge.PutVersion(version);
+  // What is merged was taken before, by those who had the right.
+  answer.merged = knowledge.PutVersion(version, {IsByEditor(ours) || IsByEditor(theirs), false});
   return answer;
 }
 

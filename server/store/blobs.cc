@@ -16,17 +16,6 @@ Error NoBlob(const std::string& sha256) {
   return Error(Code::kNotFound, "there is no blob '" + sha256.substr(0, 80) + "'");
 }
 
-std::string HashOfFile(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string buffer(1 << 20, '\0');
-  Sha256 hash;
-  while (file) {
-    file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-    hash.Update(std::string_view(buffer.data(), static_cast<std::size_t>(file.gcount())));
-  }
-  return file.eof() ? hash.FinishHex() : "";
-}
-
 }  // namespace
 
 fs::path BlobPlace(const fs::path& folder, const std::string& sha256) {
@@ -239,8 +228,13 @@ std::vector<std::string> BlobFolder::Verify() const {
         entry.path().parent_path().filename().string() + entry.path().filename().string();
     if (!IsSha256Hex(name) || Place(name) != entry.path()) {
       problems.push_back("'" + entry.path().string() + "' is no blob");
-    } else if (HashOfFile(entry.path()) != name) {
+      continue;
+    }
+    try {
+      if (Sha256OfFile(entry.path()) == name) continue;
       problems.push_back("blob '" + name + "' is damaged: its bytes have another hash");
+    } catch (const Error& error) {
+      problems.push_back(error.what());
     }
   }
   return problems;

@@ -10,15 +10,6 @@ Error Unavailable(const std::string& reason) {
       .WithHint("mend the storage (space, disk, rights), then restart; reading goes on meanwhile");
 }
 
-// Enough for the database and small files; an upload that needs more finds out by itself.
-constexpr std::uintmax_t kRoomBytes = std::uintmax_t{16} << 20;
-
-bool HasRoom(const std::filesystem::path& folder) {
-  std::error_code error;
-  const std::filesystem::space_info space = std::filesystem::space(folder, error);
-  return error || space.available >= kRoomBytes;
-}
-
 }  // namespace
 
 void Health::Check() const {
@@ -34,13 +25,13 @@ void Health::Fail(const std::string& reason) {
 std::string Health::reason() const {
   const std::lock_guard lock(mutex_);
   if (!reason_.empty()) return reason_;
-  if (!full_.empty() && HasRoom(folder_)) full_.clear();
+  if (!full_.empty() && (!has_room_ || has_room_())) full_.clear();
   return full_;
 }
 
-void Health::WatchRoom(std::filesystem::path folder) {
+void Health::WatchRoom(std::function<bool()> has_room) {
   const std::lock_guard lock(mutex_);
-  folder_ = std::move(folder);
+  has_room_ = std::move(has_room);
 }
 
 Error Health::Refusal(const std::system_error& error) {

@@ -4,7 +4,7 @@
 // then stops writing until there is room again.
 #pragma once
 
-#include <filesystem>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <system_error>
@@ -22,8 +22,9 @@ class Health {
   void Fail(const std::string& reason);
   std::string reason() const;  // empty while writes are accepted
 
-  // Where room is looked for once there was none.
-  void WatchRoom(std::filesystem::path folder);
+  // How it is found out, once there was no room, that there is some again; without it nothing
+  // stops.
+  void WatchRoom(std::function<bool()> has_room);
 
   // Runs `write`. A fault of the storage in it ends writing and comes out as kUnavailable; refusals
   // (kInvalid, kPreconditionFailed, …) pass through.
@@ -57,7 +58,7 @@ class Health {
   mutable std::mutex mutex_;
   std::string reason_;
   mutable std::string full_;  // why there was no room; empty: there is
-  std::filesystem::path folder_;
+  std::function<bool()> has_room_;
 };
 
 }  // namespace lares::store

@@ -19,11 +19,24 @@ namespace lares::store {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// Enough for the database and small files; an upload that needs more finds out by itself.
+constexpr std::uintmax_t kRoomBytes = std::uintmax_t{16} << 20;
+
+bool HasRoom(const std::filesystem::path& folder) {
+  std::error_code error;
+  const std::filesystem::space_info space = std::filesystem::space(folder, error);
+  return error || space.available >= kRoomBytes;
+}
+
+}  // namespace
+
 SqlStore::SqlStore(const fs::path& blobs, Files& files, std::unique_ptr<FolderLock> lock)
     : lock_(std::move(lock)),
       blobs_(blobs, files, health_, lock_ ? BlobFolder::Use::kAlone : BlobFolder::Use::kShared),
       uploads_(blobs, files, health_, blobs_) {
-  health_.WatchRoom(blobs);
+  health_.WatchRoom([blobs] { return HasRoom(blobs); });
 }
 
 template <typename Function>

@@ -79,6 +79,26 @@ TEST(PlanPictureTest, ObjectStandsWhereAndHowItStands) {
   EXPECT_FALSE(IsObject(At(image, 0.6, 0.5)));
 }
 
+TEST(PlanPictureTest, TurnsAreToTheLeftOfObjectsAndOfGrids) {
+  const grid::Grid room = Room();
+  // 30° to the left: its far end lies to the right and above, not below.
+  const Image image = DrawPlan(&room, {Box(1, 4, 0.5235988, {1.6, 0.1, 0.8})}, {220});
+  EXPECT_TRUE(IsObject(At(image, 0.5 + 0.6 / 4.4, 0.5 - 0.346 / 2.2)));
+  EXPECT_FALSE(IsObject(At(image, 0.5 + 0.6 / 4.4, 0.5 + 0.346 / 2.2)));
+  // A quarter to the left: the wall, at the grid's left, comes to lie below.
+  grid::Grid turned = room;
+  turned.yaw_rad = 1.57079632679;
+  const Image upright = DrawPlan(&turned, {}, {220});
+  EXPECT_EQ(upright.width, 110u);
+  EXPECT_TRUE(IsDark(At(upright, 0.5, 0.945)));
+  EXPECT_FALSE(IsDark(At(upright, 0.5, 0.055)));
+}
+
+TEST(PlanPictureTest, ManyLargeObjectsTakeNoLongTime) {
+  std::vector<semantic::MapObject> objects(20000, Box(0, 0, 0.1, {50, 50, 1}));
+  EXPECT_EQ(DrawPlan(nullptr, objects, {64}).width, 64u);
+}
+
 TEST(PlanPictureTest, SmallerObjectShowsOnTheLarger) {
   semantic::MapObject cup = Box(0, 0, 0, {0.2, 0.2, 0.1});
   cup.class_iri = "x:Bottle";

@@ -30,7 +30,7 @@ TEST_F(BackupsApiTest, NameThatIsTakenOrLeadsElsewhereIsRefused) {
   EXPECT_EQ(Make("a").status, 201);
   EXPECT_EQ(Make("a").status, 409);
   for (const char* name : {"", "..", "../x", "/etc", "a/b"}) EXPECT_EQ(Make(name).status, 422);
-  EXPECT_EQ(Send("POST", "/v1/backups", "application/json", "{").status, 422);
+  EXPECT_EQ(Send("POST", "/v1/backups", "application/json", "{").status, 400);
   EXPECT_EQ(Send("POST", "/v1/backups", "application/json", "[]").status, 422);
 }
 
